@@ -1,0 +1,68 @@
+#pragma once
+/// Holds a unit's verdicts against the exact ones: how many are wrong, by how much, and why.
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "model/engine.h"
+#include "model/reference/reference.h"
+
+namespace kagesen {
+
+/// Why a fragment is wrong. Exactly one holds for each; kOther is a bug until explained.
+enum class Cause : std::uint8_t {
+  kNone,
+  kQuantisation,   ///< right with the unrounded lines in place of the stored ones
+  kIdRule,         ///< a source was passed over, or hidden in the buffers, because of its ID
+  kDepth,          ///< inside the right outline, but the stored depth misleads
+  kCombination,    ///< every line right, their AND/OR wrong
+  kCancelling,     ///< lines that cancelled, or survived, by rounded equality
+  kHiddenRemoval,  ///< lines removed as hidden that were not
+  kCapacity,       ///< an overflowed texel
+  kOther,
+};
+inline constexpr std::size_t kCauseCount = 9;
+const char* cause_name(Cause cause);  ///< as in report.json: "quantisation", "id_rule", ...
+
+struct ErrorFigures {
+  std::uint64_t judged = 0;  ///< fragments that are neither averted nor outside the map's frustum
+  std::uint64_t wrong = 0, false_lit = 0, false_dark = 0;
+  std::uint64_t band = 0, band_wrong = 0;  ///< fragments within one texel of a true edge
+  double displacement_mean = 0, displacement_p99 = 0, displacement_max = 0;  ///< texels, of wrong ones
+  bool displacement_capped = false;        ///< some lie farther than the search went (8 texels)
+  std::uint64_t beyond_bound = 0;          ///< wrong, farther than 2^-fraction_bits texel, clear of contact
+  std::array<std::uint64_t, kCauseCount> causes{};
+  double rate() const { return judged ? double(wrong) / double(judged) : 0; }
+  double band_rate() const { return band ? double(band_wrong) / double(band) : 0; }
+};
+
+struct EquivalentResolution {
+  std::uint64_t side = 0;  ///< of the smallest plain map with no more errors in the band
+  bool at_least = false;   ///< true: even the largest side tried had more
+};
+
+/// A plain map of the same semantics on the same fragments.
+struct PlainFigures {
+  std::uint64_t side = 0, bytes = 0, wrong = 0, band_wrong = 0;
+};
+
+struct Judgement {
+  std::vector<std::uint8_t> exact_paper, exact_physical;  ///< a fragment each, 1 = dark
+  std::vector<Cause> cause_paper, cause_physical;         ///< a fragment each
+  ErrorFigures paper, physical;
+  EquivalentResolution equivalent_resolution;  ///< paper semantics
+  PlainFigures plain_same_side, plain_equal_bytes;  ///< paper semantics
+};
+
+struct JudgeOptions {
+  std::uint64_t largest_plain_side = 1u << 18;
+  bool equivalent_resolution = true;
+  std::function<void(const std::string& stage, double done)> progress;  ///< may be empty
+};
+
+Judgement judge(const Trace& trace, const UnitConfig& config, const Engine& engine,
+                const std::vector<Verdict>& verdicts, const JudgeOptions& options = {});
+
+}  // namespace kagesen

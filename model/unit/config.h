@@ -1,0 +1,65 @@
+#pragma once
+/// The one configuration of the shadow unit: every width, capacity and policy, once.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace kagesen {
+
+/// How the unit combines sources when an ID equals the fragment's (Table 4, row 1).
+enum class OwnIdRule : std::uint8_t {
+  kPerSource,  ///< the source of that ID is passed over
+  kLiteral,    ///< as printed: ID buffer equal to the fragment's object decides "lit" at once
+};
+/// What tells that two lines of an entry meet in a vertex (unit.md 2.7).
+enum class VertexRule : std::uint8_t {
+  kPerLine,   ///< start-here and end-here of each line
+  kPerEntry,  ///< as printed: one Vertex Flag an entry, one End Flag a line
+};
+enum class Table7 : std::uint8_t {
+  kCorrected,  ///< ordered by angle, symmetric in A and B
+  kPrinted,    ///< as printed, with its last row and its gaps
+};
+/// Which texels get a depth and an ID in pass 1.
+enum class DepthWrites : std::uint8_t {
+  kCovered,  ///< wholly covered ones: span interior and emptied entries
+  kAll,      ///< outline texels too
+};
+
+/// Defaults are the unit as the README measures it. Limits and help texts: config_fields().
+struct UnitConfig {
+  std::int64_t map_width = 1024, map_height = 1024;  // texels
+  std::int64_t fraction_bits = 8;      // UQ0.n of Fraction
+  std::int64_t slope_bits = 8;         // UQ0.n of Slope
+  std::int64_t depth_bits = 24;        // of the shadow buffer and the SLB
+  std::int64_t id_bits = 16;           // object ID
+  std::int64_t polygon_id_bits = 14;   // Polygon ID of a line
+  std::int64_t position_bits = 0;      // of Mx and My; 0: all the trace has
+  std::int64_t lines_per_entry = 3;
+  std::int64_t link_depth = 64;        // entries a texel may hold
+  std::int64_t slb_buckets = 16384;    // of the address hash, a power of two
+  std::int64_t slb_entries = 262144;   // capacity of the SLB
+  OwnIdRule own_id_rule = OwnIdRule::kPerSource;
+  VertexRule vertex_rule = VertexRule::kPerLine;
+  Table7 table7 = Table7::kCorrected;
+  DepthWrites depth_writes = DepthWrites::kCovered;
+  bool hidden_removal = true;
+  bool match_polygon_id = true;  // lines of one polygon never cancel each other
+};
+
+/// One field of UnitConfig as text: what a configuration file, `--set` and the help need.
+struct ConfigField {
+  std::string key;
+  std::string help;                  ///< one line, unit and source
+  std::int64_t minimum = 0, maximum = 0;  ///< of an integer
+  bool power_of_two = false;
+  std::vector<std::string> choices;  ///< of an enumeration or a boolean; empty for an integer
+};
+/// Every field, in the order of the struct.
+const std::vector<ConfigField>& config_fields();
+/// The value as it stands in a configuration file: an integer, a choice, or true/false.
+std::string get_field(const UnitConfig& config, const std::string& key);
+/// Sets a field from text. Throws UserError, naming the nearest key or the nearest valid value.
+void set_field(UnitConfig& config, const std::string& key, const std::string& value);
+
+}  // namespace kagesen
