@@ -1,0 +1,1 @@
+#include "model/rivals/plain_map.h"

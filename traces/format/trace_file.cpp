@@ -1,0 +1,1 @@
+#include "traces/format/trace_file.h"

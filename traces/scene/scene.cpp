@@ -1,0 +1,1 @@
+#include "traces/scene/scene.h"
