@@ -29,9 +29,10 @@ bool import_camera(const aiScene& file, const NodeTransforms& nodes, Scene& scen
     const glm::dvec3 eye(world * glm::dvec4(vector_of(from.mPosition), 1));
     const glm::dvec3 ahead = glm::dmat3(world) * vector_of(from.mLookAt);
     const glm::dvec3 up = glm::dmat3(world) * vector_of(from.mUp);
-    // Assimp keeps the full horizontal angle; without an aspect ratio it is the vertical one.
+    // Of the formats read here only glTF has cameras, and Assimp 5.2 gives their vertical angle
+    // times the aspect ratio for the horizontal one.
     const double aspect = from.mAspect > 0 ? from.mAspect : 1;
-    const double fov = glm::degrees(2 * std::atan(std::tan(from.mHorizontalFOV / 2.0) / aspect));
+    const double fov = glm::degrees(from.mHorizontalFOV / aspect);
     if (from.mOrthographicWidth > 0 || !usable(ahead) || !usable(up) || !(fov > 0 && fov < 180) ||
         !std::isfinite(glm::dot(eye, eye))) {
       scene.warnings.push_back(

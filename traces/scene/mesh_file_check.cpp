@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -15,6 +14,7 @@
 #include <vector>
 
 #include "traces/format/error.h"
+#include "traces/scene/gltf_check.h"
 
 namespace kagesen {
 namespace {
@@ -230,26 +230,6 @@ void check_ply(const std::string& path, const std::string& text) {
   }
 }
 
-void check_glb(const std::string& path, const std::string& bytes) {
-  const auto word = [&](std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      value |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
-    }
-    return value;
-  };
-  if (bytes.size() < 20 || bytes.compare(0, 4, "glTF") != 0) {
-    throw UserError(path, "not a GLB file: it does not begin with 'glTF'", kExportAgain);
-  }
-  if (word(4) != 2) {
-    throw UserError(path, fmt::format("GLB version {}", word(4)), "export as glTF 2.0");
-  }
-  if (word(8) > bytes.size() || word(12) > bytes.size() - 20) {
-    throw UserError(path, fmt::format("it ends early: {} of {} bytes are there", bytes.size(),
-                                      word(8)), kExportAgain);
-  }
-}
-
 }  // namespace
 
 std::string check_mesh_file(const std::string& path) {
@@ -262,9 +242,9 @@ std::string check_mesh_file(const std::string& path) {
     check_obj(path, text);
   } else if (extension == "ply") {
     check_ply(path, text);
-  } else if (extension == "glb") {
-    check_glb(path, text);
-  } else if (extension != "gltf") {
+  } else if (extension == "glb" || extension == "gltf") {
+    check_gltf(path, text, extension == "glb");
+  } else {
     throw UserError(path, "not a kind of mesh that is read here", "use .obj, .ply, .gltf or .glb");
   }
   return extension;
