@@ -1,6 +1,6 @@
 #pragma once
-/// What golden, SystemC and RTL have in common: a configuration and a trace in, verdicts, buffers and
-/// counters out.
+/// What golden, SystemC and RTL have in common: a configuration and a trace in, verdicts, buffers
+/// and counters out.
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -16,13 +16,16 @@ enum class Verdict : std::uint8_t { kLit = 0, kDark = 1 };
 /// Light space as the unit's registers see it.
 struct FrameSetup {
   std::uint32_t fraction_bits = kMinFractionBits;  ///< units a texel = 2^fraction_bits
+  /// The ID under which the unit knows each object (see unit_ids.h); empty: its number.
+  std::vector<std::uint32_t> unit_ids;
 };
 
 /// A silhouette line as stored. fraction, slope: UQ0.n, saturated.
 struct LineRecord {
   std::uint32_t fraction = 0, slope = 0, polygon = 0;
-  bool left = false;       ///< 1: the polygon lies to the right of the direction of travel
-  bool cross = false;      ///< 0: Fraction at the texel's near side along the major axis, 1: at the far side
+  bool left = false;  ///< 1: the polygon lies to the right of the direction of travel
+  bool cross =
+      false;  ///< 0: Fraction at the texel's near side along the major axis, 1: at the far side
   bool x_major = false;
   bool x_positive = false;
   bool start_here = false, end_here = false;  ///< lower, upper end lies in this texel
@@ -39,10 +42,11 @@ struct TexelEntry {
 /// Final contents of the buffers. Images are row-major, map_width x map_height.
 struct MapContents {
   std::uint32_t width = 0, height = 0;
-  std::vector<std::uint32_t> depth;     ///< kDepthMax's depth_bits equivalent where nothing was written
-  std::vector<std::uint32_t> object;    ///< kNoObject where nothing was written
-  std::vector<std::uint8_t> overflowed; ///< 1: capacity ran out here; the plain-map verdict holds
-  std::vector<TexelEntry> entries;      ///< by texel (row, column), from the light outwards
+  std::vector<std::uint32_t>
+      depth;  ///< kDepthMax's depth_bits equivalent where nothing was written
+  std::vector<std::uint32_t> object;     ///< kNoObject where nothing was written
+  std::vector<std::uint8_t> overflowed;  ///< 1: capacity ran out here; the plain-map verdict holds
+  std::vector<TexelEntry> entries;       ///< by texel (row, column), from the light outwards
 };
 inline constexpr std::uint32_t kNoObject = 0xffffffffu;
 
@@ -53,19 +57,20 @@ struct UnitCounters {
   std::uint64_t lines_stored = 0, lines_cancelled = 0, lines_hidden = 0, emptied_covered = 0;
   // SLB at the end of pass 1
   std::uint64_t slb_texels = 0, slb_entries = 0, slb_lines = 0;
-  std::uint64_t peak_entries = 0;    ///< records in use at once, continuation records included
-  std::uint64_t collisions = 0;      ///< walks past an entry of another texel
+  std::uint64_t peak_entries = 0;  ///< records in use at once, continuation records included
+  std::uint64_t collisions = 0;    ///< texels whose bucket another texel holds too
   std::uint64_t overflow_lines = 0, overflow_texels = 0;
-  std::uint64_t payload_bytes = 0;   ///< entries and lines alone, unit.md 2.9
-  std::uint64_t allocated_bytes = 0; ///< peak records with tags and links, and the bucket table
-  std::uint64_t map_bytes = 0;       ///< shadow, ID and edge buffers
-  std::uint64_t max_chain = 0;                 ///< records walked in the longest texel
+  std::uint64_t payload_bytes = 0;    ///< entries and lines alone, unit.md 2.9
+  std::uint64_t allocated_bytes = 0;  ///< peak records with tags and links, and the bucket table
+  std::uint64_t map_bytes = 0;        ///< shadow, ID and edge buffers
+  std::uint64_t max_chain = 0;        ///< records walked in the longest texel
   std::vector<std::uint64_t> chain_histogram;  ///< [n]: texels with n records; [0] is 0
   // pass 2
   std::uint64_t fragments = 0, averted = 0, outside = 0;
   std::uint64_t dark_by_buffer = 0, dark_by_lines = 0, lit = 0;
   std::uint64_t slb_lookups = 0, entries_read = 0, lines_read = 0;
-  std::uint64_t aliased_objects = 0; ///< objects that share a unit ID with another one they may shadow
+  std::uint64_t aliased_objects =
+      0;  ///< objects that share a unit ID with another one they may shadow
 };
 
 class Engine {

@@ -30,9 +30,10 @@ struct ErrorFigures {
   std::uint64_t judged = 0;  ///< fragments that are neither averted nor outside the map's frustum
   std::uint64_t wrong = 0, false_lit = 0, false_dark = 0;
   std::uint64_t band = 0, band_wrong = 0;  ///< fragments within one texel of a true edge
-  double displacement_mean = 0, displacement_p99 = 0, displacement_max = 0;  ///< texels, of wrong ones
-  bool displacement_capped = false;        ///< some lie farther than the search went (8 texels)
-  std::uint64_t beyond_bound = 0;          ///< wrong, farther than 2^-fraction_bits texel, clear of contact
+  double displacement_mean = 0, displacement_p99 = 0,
+         displacement_max = 0;       ///< texels, of wrong ones
+  bool displacement_capped = false;  ///< some lie farther than the search went (8 texels)
+  std::uint64_t beyond_bound = 0;  ///< wrong, farther than 2^-fraction_bits texel, clear of contact
   std::array<std::uint64_t, kCauseCount> causes{};
   double rate() const { return judged ? double(wrong) / double(judged) : 0; }
   double band_rate() const { return band ? double(band_wrong) / double(band) : 0; }
@@ -52,7 +53,7 @@ struct Judgement {
   std::vector<std::uint8_t> exact_paper, exact_physical;  ///< a fragment each, 1 = dark
   std::vector<Cause> cause_paper, cause_physical;         ///< a fragment each
   ErrorFigures paper, physical;
-  EquivalentResolution equivalent_resolution;  ///< paper semantics
+  EquivalentResolution equivalent_resolution;       ///< paper semantics
   PlainFigures plain_same_side, plain_equal_bytes;  ///< paper semantics
 };
 

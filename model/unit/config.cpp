@@ -1,1 +1,161 @@
 #include "model/unit/config.h"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+#include "traces/format/error.h"
+#include "traces/format/records.h"
+
+namespace kagesen {
+namespace {
+
+/// A field and how to reach it.
+struct Binding {
+  ConfigField field;
+  std::function<std::string(const UnitConfig&)> get;
+  std::function<void(UnitConfig&, std::int64_t)> set;  // an integer, or the index of a choice
+};
+
+Binding integer(const char* key, std::int64_t UnitConfig::*member, std::int64_t minimum,
+                std::int64_t maximum, const char* help, bool power_of_two = false) {
+  return {{key, help, minimum, maximum, power_of_two, {}},
+          [=](const UnitConfig& c) { return std::to_string(c.*member); },
+          [=](UnitConfig& c, std::int64_t value) { c.*member = value; }};
+}
+
+template <typename Enum>
+Binding choice(const char* key, Enum UnitConfig::*member, std::vector<std::string> names,
+               const char* help) {
+  return {{key, help, 0, static_cast<std::int64_t>(names.size()) - 1, false, names},
+          [=](const UnitConfig& c) { return names[static_cast<std::size_t>(c.*member)]; },
+          [=](UnitConfig& c, std::int64_t value) { c.*member = static_cast<Enum>(value); }};
+}
+
+const std::vector<Binding>& bindings() {
+  using C = UnitConfig;
+  static const std::vector<Binding> all = {
+      integer("map_width", &C::map_width, 1, kMaxMapSide, "Width of the map, texels"),
+      integer("map_height", &C::map_height, 1, kMaxMapSide, "Height of the map, texels"),
+      integer("fraction_bits", &C::fraction_bits, 1, 15,
+              "Bits of a line's Fraction, UQ0.n texel (3.1)"),
+      integer("slope_bits", &C::slope_bits, 1, 15, "Bits of a line's Slope, UQ0.n (3.1)"),
+      integer("depth_bits", &C::depth_bits, 8, kDepthBits, "Bits of a stored depth"),
+      integer("id_bits", &C::id_bits, 1, 24, "Bits of an object ID (3.2: 8 or more)"),
+      integer("polygon_id_bits", &C::polygon_id_bits, 1, 24,
+              "Bits of a line's Polygon ID; wraps (3.1)"),
+      integer("position_bits", &C::position_bits, 0, kMaxFractionBits,
+              "Bits of Mx and My in the decision; 0: all that the trace has (4.2)"),
+      integer("lines_per_entry", &C::lines_per_entry, 1, 15, "Lines an SLB record holds (3.2)"),
+      integer("link_depth", &C::link_depth, 1, 4096, "Linked SLB records a texel may hold"),
+      integer("slb_buckets", &C::slb_buckets, 1, 1 << 22, "Buckets of the address hash", true),
+      integer("slb_entries", &C::slb_entries, 1, 1 << 24, "Records the SLB has room for"),
+      choice("own_id_rule", &C::own_id_rule, {"per_source", "literal"},
+             "Table 4, row 1: pass over the source of the fragment's ID, or as printed"),
+      choice("vertex_rule", &C::vertex_rule, {"per_line", "per_entry"},
+             "What tells that lines meet in a vertex: flags of each line, or one of the entry as "
+             "printed"),
+      choice("table7", &C::table7, {"corrected", "printed"},
+             "Table 7: ordered by angle, or as printed with its gaps"),
+      choice("depth_writes", &C::depth_writes, {"covered", "all"},
+             "Texels that get a depth and an ID: wholly covered ones, or outline texels too"),
+      choice("hidden_removal", &C::hidden_removal, {"off", "centre", "farthest"},
+             "Remove lines behind a covering polygon, by its depth at the texel's centre or its "
+             "farthest (3.3.3)"),
+      choice("match_polygon_id", &C::match_polygon_id, {"false", "true"},
+             "Lines of one polygon never cancel each other (3.3.2)"),
+  };
+  return all;
+}
+
+/// Levenshtein distance.
+std::size_t distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] != b[j - 1])});
+      diagonal = above;
+    }
+  }
+  return row.back();
+}
+
+template <typename Range, typename Name>
+std::string nearest(const Range& range, const std::string& wanted, Name name) {
+  return name(*std::min_element(range.begin(), range.end(), [&](const auto& a, const auto& b) {
+    return distance(name(a), wanted) < distance(name(b), wanted);
+  }));
+}
+
+const Binding& find(const std::string& key) {
+  for (const Binding& b : bindings()) {
+    if (b.field.key == key) return b;
+  }
+  throw UserError(key, "no such configuration key",
+                  "the nearest is '" +
+                      nearest(bindings(), key, [](const Binding& b) { return b.field.key; }) + "'");
+}
+
+std::int64_t parse_integer(const ConfigField& field, const std::string& text) {
+  std::int64_t value = 0;
+  std::size_t used = 0;
+  try {
+    value = std::stoll(text, &used);
+  } catch (const std::exception&) {
+    used = 0;
+  }
+  if (used == 0 || used != text.size()) {
+    throw UserError(
+        field.key, "'" + text + "' is not an integer",
+        "give one from " + std::to_string(field.minimum) + " to " + std::to_string(field.maximum));
+  }
+  std::int64_t valid = std::clamp(value, field.minimum, field.maximum);
+  if (field.power_of_two) {
+    std::int64_t power = field.minimum;
+    while (power * 2 <= valid) power *= 2;
+    if (power * 2 <= field.maximum && power * 2 - valid < valid - power) power *= 2;
+    valid = power;
+  }
+  if (valid != value) {
+    throw UserError(field.key, "'" + text + "' is out of range",
+                    "the nearest valid value is " + std::to_string(valid));
+  }
+  return value;
+}
+
+}  // namespace
+
+const std::vector<ConfigField>& config_fields() {
+  static const std::vector<ConfigField> fields = [] {
+    std::vector<ConfigField> out;
+    for (const Binding& b : bindings()) out.push_back(b.field);
+    return out;
+  }();
+  return fields;
+}
+
+std::string get_field(const UnitConfig& config, const std::string& key) {
+  return find(key).get(config);
+}
+
+void set_field(UnitConfig& config, const std::string& key, const std::string& value) {
+  const Binding& binding = find(key);
+  const std::vector<std::string>& choices = binding.field.choices;
+  if (choices.empty()) {
+    binding.set(config, parse_integer(binding.field, value));
+    return;
+  }
+  const auto it = std::find(choices.begin(), choices.end(), value);
+  if (it == choices.end()) {
+    throw UserError(
+        key, "'" + value + "' is not a choice",
+        "the nearest is '" + nearest(choices, value, [](const std::string& s) { return s; }) + "'");
+  }
+  binding.set(config, it - choices.begin());
+}
+
+}  // namespace kagesen

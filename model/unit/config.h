@@ -26,31 +26,39 @@ enum class DepthWrites : std::uint8_t {
   kAll,      ///< outline texels too
 };
 
+/// When a nearer polygon that covers a texel removes lines (3.3.3).
+enum class HiddenRemoval : std::uint8_t {
+  kOff,
+  kCentre,    ///< its depth at the texel's centre is nearer than the lines; later lines are refused
+              ///< alike
+  kFarthest,  ///< its farthest depth in the texel is: never removes what shows, and refuses nothing
+};
+
 /// Defaults are the unit as the README measures it. Limits and help texts: config_fields().
 struct UnitConfig {
   std::int64_t map_width = 1024, map_height = 1024;  // texels
-  std::int64_t fraction_bits = 8;      // UQ0.n of Fraction
-  std::int64_t slope_bits = 8;         // UQ0.n of Slope
-  std::int64_t depth_bits = 24;        // of the shadow buffer and the SLB
-  std::int64_t id_bits = 16;           // object ID
-  std::int64_t polygon_id_bits = 14;   // Polygon ID of a line
-  std::int64_t position_bits = 0;      // of Mx and My; 0: all the trace has
+  std::int64_t fraction_bits = 8;                    // UQ0.n of Fraction
+  std::int64_t slope_bits = 8;                       // UQ0.n of Slope
+  std::int64_t depth_bits = 24;                      // of the shadow buffer and the SLB
+  std::int64_t id_bits = 16;                         // object ID
+  std::int64_t polygon_id_bits = 14;                 // Polygon ID of a line
+  std::int64_t position_bits = 0;                    // of Mx and My; 0: all the trace has
   std::int64_t lines_per_entry = 3;
-  std::int64_t link_depth = 64;        // entries a texel may hold
-  std::int64_t slb_buckets = 16384;    // of the address hash, a power of two
-  std::int64_t slb_entries = 262144;   // capacity of the SLB
+  std::int64_t link_depth = 64;       // entries a texel may hold
+  std::int64_t slb_buckets = 16384;   // of the address hash, a power of two
+  std::int64_t slb_entries = 262144;  // capacity of the SLB
   OwnIdRule own_id_rule = OwnIdRule::kPerSource;
   VertexRule vertex_rule = VertexRule::kPerLine;
   Table7 table7 = Table7::kCorrected;
   DepthWrites depth_writes = DepthWrites::kCovered;
-  bool hidden_removal = true;
+  HiddenRemoval hidden_removal = HiddenRemoval::kCentre;
   bool match_polygon_id = true;  // lines of one polygon never cancel each other
 };
 
 /// One field of UnitConfig as text: what a configuration file, `--set` and the help need.
 struct ConfigField {
   std::string key;
-  std::string help;                  ///< one line, unit and source
+  std::string help;                       ///< one line, unit and source
   std::int64_t minimum = 0, maximum = 0;  ///< of an integer
   bool power_of_two = false;
   std::vector<std::string> choices;  ///< of an enumeration or a boolean; empty for an integer

@@ -1,0 +1,79 @@
+#include "model/unit/shadow_decision.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace kagesen::unit {
+
+/// Orders directions by angle: x+ (0 to 45 degrees), y+ (to 90), y- (to 135), x- (to 180).
+std::uint32_t ShadowDecision::angle(const Line& line) const {
+  const std::uint32_t most = (1u << slope_bits_) - 1;
+  const bool positive = line.has(Line::kXPositive);
+  const bool x_major = line.has(Line::kXMajor);
+  const std::uint32_t octant = x_major ? (positive ? 0 : 3) : (positive ? 1 : 2);
+  // Slope is minor over major: along x+ and y- it grows with the angle, along y+ and x- it falls.
+  const std::uint32_t within = octant == 0 || octant == 2 ? line.slope : most - line.slope;
+  return octant << slope_bits_ | within;
+}
+
+Combine ShadowDecision::by_table7(const Line& a, const Line& b) const {
+  const bool a_first =
+      angle(a) != angle(b) ? angle(a) < angle(b) : a.has(Line::kEndHere) >= b.has(Line::kEndHere);
+  const Line& low = a_first ? a : b;
+  const Line& high = a_first ? b : a;
+  bool end_of_low = low.has(Line::kEndHere);
+  if (vertex_rule_ == VertexRule::kPerLine && end_of_low && low.has(Line::kStartHere)) {
+    // Both ends lie here: outlines go on, so the end that meets the other line's end is the
+    // opposite one.
+    end_of_low = high.has(Line::kStartHere);
+  }
+  // Exp1: L/R of B xnor End of A.
+  return high.has(Line::kLeft) == end_of_low ? Combine::kOr : Combine::kAnd;
+}
+
+Combine ShadowDecision::by_table7_printed(const Line& a, const Line& b) const {
+  const bool exp1 = b.has(Line::kLeft) == a.has(Line::kEndHere);
+  const Combine first = exp1 ? Combine::kOr : Combine::kAnd;
+  const Combine second = exp1 ? Combine::kAnd : Combine::kOr;
+  const bool a_x = a.has(Line::kXMajor), b_x = b.has(Line::kXMajor);
+  const bool a_plus = a.has(Line::kXPositive), b_plus = b.has(Line::kXPositive);
+  if (a_x == b_x && a_plus == b_plus) return a.slope <= b.slope ? first : second;
+  if (a_x) return a_plus ? first : second;
+  // (y+, x+) and (y-, x-) are not printed; they take the row of their own Xsign.
+  return a_plus ? first : second;
+}
+
+/// Does `line` hold the border point where `other` takes its Fraction?
+bool ShadowDecision::holds_fraction_of(const Line& line, const Line& other) const {
+  const std::int64_t one = std::int64_t{1} << fraction_bits_;
+  const std::int64_t major = other.has(Line::kCross) ? one : 0;
+  const std::int64_t minor = other.fraction;
+  const bool x_major = other.has(Line::kXMajor);
+  const std::int64_t u = x_major ? major : minor;
+  const SubTexel point{other.has(Line::kXPositive) ? u : one - u, x_major ? minor : major,
+                       fraction_bits_};
+  return contains(line, point);
+}
+
+Combine ShadowDecision::by_fractions(const Line& a, const Line& b) const {
+  return !holds_fraction_of(a, b) && !holds_fraction_of(b, a) ? Combine::kOr : Combine::kAnd;
+}
+
+Combine ShadowDecision::combine(const Line& a, const Line& b, bool vertex) const {
+  constexpr unsigned kEnds = Line::kStartHere | Line::kEndHere;
+  const bool meet = vertex_rule_ == VertexRule::kPerEntry
+                        ? vertex
+                        : (a.flags & kEnds) != 0 && (b.flags & kEnds) != 0;
+  if (!meet) return by_fractions(a, b);
+  return table7_ == Table7::kPrinted ? by_table7_printed(a, b) : by_table7(a, b);
+}
+
+bool ShadowDecision::inside_of_many(const Line* lines, std::uint32_t count, bool vertex,
+                                    const SubTexel& point) const {
+  thread_local std::vector<std::uint8_t> holds;
+  holds.resize(count);
+  for (std::uint32_t i = 0; i < count; ++i) holds[i] = contains(lines[i], point);
+  return inside_if(lines, count, vertex, [](std::uint32_t i) { return holds[i] != 0; });
+}
+
+}  // namespace kagesen::unit

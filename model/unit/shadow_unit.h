@@ -1,0 +1,70 @@
+#pragma once
+/// The shadow unit: pass 1 and pass 2 of the paper's pipeline, block by block.
+#include <cstdint>
+#include <vector>
+
+#include "model/engine.h"
+#include "model/unit/edge_walker.h"
+#include "model/unit/shadow_decision.h"
+#include "model/unit/silhouette_buffer.h"
+#include "model/unit/span_filler.h"
+#include "model/unit/texel_buffers.h"
+
+namespace kagesen::unit {
+
+/// Paper profile. Integers only. Capacity overflow: the texel loses its lines and keeps the nearest
+/// of their depths with its ID, the verdict of a plain map; it is counted and marked.
+class ShadowUnit {
+ public:
+  void begin(const UnitConfig& config, const FrameSetup& setup);
+  void draw(const Caster& caster);           ///< pass 1
+  Verdict decide(const Fragment& fragment);  ///< pass 2
+
+  const UnitConfig& config() const { return config_; }
+  const TexelBuffers& texels() const { return texels_; }
+  const SilhouetteBuffer& slb() const { return slb_; }
+  std::uint32_t bucket_at(std::uint32_t texel) const;
+  const UnitCounters& counters() const { return counters_; }
+
+ private:
+  struct Visit {  // a texel of the polygon being drawn
+    std::int32_t x, y;
+    std::uint32_t texel;
+  };
+  void draw_edge(int index, const EdgeSetup& edge);
+  void visit_texel(const OutlineTexel& at, std::uint32_t texel);
+  void count_corner(Record& record, const OutlineTexel& at);
+  void empty_visited();
+  void fill_spans();
+  void cover(std::uint32_t texel, std::uint32_t centre);
+  void remove_hidden(std::uint32_t texel, std::uint32_t depth);
+  void overflow(std::uint32_t texel, std::uint32_t depth);
+  void update_edge_flag(std::uint32_t texel);
+  Verdict decide_by_lines(std::uint32_t texel, std::uint32_t object, std::uint32_t depth,
+                          const SubTexel& point);
+  std::uint32_t unit_id(std::uint32_t object) const {
+    return object < ids_.size() ? ids_[object] : object & id_mask_;
+  }
+
+  UnitConfig config_;
+  int bits_ = kMinFractionBits;  // log2 of a texel's units
+  int position_shift_ = 0;       // units dropped from Mx and My
+  int depth_shift_ = 0;
+  std::uint32_t id_mask_ = 0, polygon_mask_ = 0;
+  std::int32_t centre_x_ = 0, centre_y_ = 0;  // texel of the map's origin
+  std::vector<std::uint32_t> ids_;
+
+  TexelBuffers texels_;
+  SilhouetteBuffer slb_;
+  ShadowDecision decision_;
+  VisitedRows rows_;
+  std::vector<Visit> emptied_;
+  std::vector<Line> lines_;  // of one entry, gathered for the decision
+  UnitCounters counters_;
+
+  // The polygon being drawn.
+  const Polygon* polygon_ = nullptr;
+  std::uint32_t object_ = 0, polygon_id_ = 0, serial_ = 0;
+};
+
+}  // namespace kagesen::unit

@@ -1,0 +1,72 @@
+#include "model/unit/address_generator.h"
+#include "model/unit/shadow_unit.h"
+
+namespace kagesen::unit {
+
+/// Table 4. A source (the shadow buffer, or an entry) of the fragment's own ID is passed over, or,
+/// as printed, decides "lit" at once when it is the ID buffer's.
+Verdict ShadowUnit::decide(const Fragment& fragment) {
+  ++counters_.fragments;
+  if (fragment.flags & (Fragment::kAverted | Fragment::kOutside)) {
+    const bool averted = (fragment.flags & Fragment::kAverted) != 0;
+    ++(averted ? counters_.averted : counters_.outside);
+    return averted ? Verdict::kDark : Verdict::kLit;
+  }
+  const std::int32_t x = (fragment.position.x >> bits_) + centre_x_;
+  const std::int32_t y = (fragment.position.y >> bits_) + centre_y_;
+  if (!texels_.holds(x, y)) {
+    ++counters_.outside;
+    return Verdict::kLit;
+  }
+  const std::uint32_t index = texels_.index(x, y);
+  const Texel texel = texels_[index];
+  const std::uint32_t depth = fragment.position.z >> depth_shift_;
+  const std::uint32_t object = unit_id(fragment.object);
+  if (texel.id == object && config_.own_id_rule == OwnIdRule::kLiteral) {
+    ++counters_.lit;
+    return Verdict::kLit;
+  }
+  if (texel.id != object && depth > texel.depth) {
+    ++counters_.dark_by_buffer;
+    return Verdict::kDark;
+  }
+  if (!texel.edge) {
+    ++counters_.lit;
+    return Verdict::kLit;
+  }
+  const std::int64_t mask = (std::int64_t{1} << bits_) - 1;
+  return decide_by_lines(
+      index, object, depth,
+      {(fragment.position.x & mask) >> position_shift_,
+       (fragment.position.y & mask) >> position_shift_, bits_ - position_shift_});
+}
+
+Verdict ShadowUnit::decide_by_lines(std::uint32_t texel, std::uint32_t object, std::uint32_t depth,
+                                    const SubTexel& point) {
+  ++counters_.slb_lookups;
+  const std::uint32_t bucket = bucket_at(texel);
+  for (std::uint32_t at = slb_.first_of(bucket, texel); at != SilhouetteBuffer::kNone;
+       at = slb_.next_of(at)) {
+    const Record& entry = slb_[at];
+    if (depth <= entry.nearest) break;  // entries are linked from the light outwards
+    ++counters_.entries_read;
+    counters_.lines_read += entry.lines;
+    if (entry.object == object) continue;
+    const Line* lines = slb_.lines_of(at);
+    std::uint32_t count = entry.lines;
+    if (entry.more != SilhouetteBuffer::kNone) {
+      slb_.copy_lines(at, lines_);
+      counters_.lines_read += lines_.size() - count;
+      lines = lines_.data();
+      count = static_cast<std::uint32_t>(lines_.size());
+    }
+    if (decision_.inside(lines, count, entry.vertex, point)) {
+      ++counters_.dark_by_lines;
+      return Verdict::kDark;
+    }
+  }
+  ++counters_.lit;
+  return Verdict::kLit;
+}
+
+}  // namespace kagesen::unit
