@@ -1,6 +1,9 @@
 /// The kagesen program. Exit status: 0 good, 1 a fault of the program, 2 something the person can
 /// mend, 128 + n ended by signal n.
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -24,6 +27,7 @@ const CLI::App& named(const CLI::App& app) {
   return chosen.empty() ? app : named(*chosen.front());
 }
 
+/// "kagesen trace dump"
 std::string command_line(const CLI::App& command) {
   const CLI::App* parent = command.get_parent();
   return parent ? command_line(*parent) + " " + command.get_name() : command.get_name();
@@ -33,6 +37,7 @@ std::string command_line(const CLI::App& command) {
 UserError parse_failure(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = named(app);
   const std::string help = "see " + command_line(command) + " --help";
+  const std::string where = command.get_parent() ? command.get_name() : "command line";
   std::vector<std::string> commands, options;
   for (const CLI::App* sub : command.get_subcommands({})) commands.push_back(sub->get_name());
   for (const CLI::Option* option : command.get_options()) {
@@ -43,16 +48,19 @@ UserError parse_failure(const CLI::App& app, const CLI::ParseError& error) {
   std::stable_partition(extra.begin(), extra.end(), is_option);
   if (!extra.empty() && is_option(extra.front())) {
     const std::string word = extra.front().substr(0, extra.front().find('='));
-    return {command_line(command), "there is no option " + word, suggestion(word, options)};
+    return {where, "there is no option " + word, suggestion(word, options)};
   }
   if (!extra.empty() && !commands.empty()) {
-    return {command_line(command), "there is no subcommand '" + extra.front() + "'",
+    return {where, "there is no subcommand '" + extra.front() + "'",
             suggestion(extra.front(), commands)};
   }
-  if (!extra.empty()) {
-    return {command_line(command), "'" + extra.front() + "' is one argument too many", help};
+  if (extra.empty() && !commands.empty() && command.get_subcommands().empty()) {
+    return {where, "no subcommand", fmt::format("choose one of {}", fmt::join(commands, ", "))};
   }
-  return {command_line(command), error.what(), help};
+  if (!extra.empty()) {
+    return {where, "'" + extra.front() + "' is one argument too many", help};
+  }
+  return {where, error.what(), help};
 }
 
 int run_program(int argc, char** argv) {

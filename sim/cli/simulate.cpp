@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "model/unit_ids.h"
 #include "sim/cli/nearest.h"
 #include "sim/cli/stopwatch.h"
 #include "traces/format/error.h"
@@ -46,7 +47,8 @@ RunResult simulate(const Trace& trace, const UnitConfig& config, const SimulateO
   const std::unique_ptr<Engine> engine = make_engine(options.engine);
 
   Stopwatch watch;
-  engine->begin(config, {trace.header.fraction_bits});
+  UnitIds units = assign_unit_ids(trace, trace.header.fraction_bits, int(config.id_bits));
+  engine->begin(config, {trace.header.fraction_bits, std::move(units.ids)});
   const auto& casters = trace.all_casters;
   for (std::size_t at = 0; at < casters.size(); at += kPortion) {
     progress("pass 1", double(at) / double(casters.size()));
@@ -65,6 +67,7 @@ RunResult simulate(const Trace& trace, const UnitConfig& config, const SimulateO
 
   result.contents = engine->contents();
   result.counters = engine->counters();
+  result.counters.aliased_objects = units.sharing;
   add_warnings(result);
   result.stages_s.emplace_back("contents", watch.lap());
   if (options.reference) {

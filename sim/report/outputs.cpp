@@ -1,6 +1,5 @@
 #include "sim/report/outputs.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <array>
@@ -10,6 +9,7 @@
 #include <csignal>
 #include <cstring>
 
+#include "sim/report/file_stream.h"
 #include "traces/format/error.h"
 
 namespace kagesen {
@@ -31,16 +31,26 @@ extern "C" void on_interrupt(int signal) {
   _exit(128 + signal);
 }
 
-std::string reason(int error) { return error ? std::strerror(error) : "write error"; }
-
 [[noreturn]] void refuse(const std::string& path, int error) {
-  throw UserError(path, "cannot write: " + reason(error), "make room, or write elsewhere");
+  throw UserError(path, std::string("cannot write: ") + std::strerror(error),
+                  "make room, or write elsewhere");
 }
 
 }  // namespace
 
+struct Outputs::File {
+  File(const std::string& name, const std::string& part_name)
+      : path(name),
+        part(part_name),
+        guard(part_name),
+        stream(part_name.empty() ? name : part_name) {}
+  std::string path, part;  ///< part is empty for a device
+  PartGuard guard;         // before the stream: a name is guarded before the file exists
+  FileStream stream;
+};
+
 PartGuard::PartGuard(const std::string& path) : slot_(-1) {
-  if (path.size() >= PATH_MAX) return;
+  if (path.empty() || path.size() >= PATH_MAX) return;
   for (int i = 0; i < static_cast<int>(g_slots.size()); ++i) {
     if (g_slots[i].used.load()) continue;
     std::memcpy(g_slots[i].path, path.c_str(), path.size() + 1);
@@ -60,6 +70,8 @@ void remove_parts_on_interrupt() {
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
 }
+
+Outputs::Outputs() = default;
 
 Outputs::~Outputs() {
   if (committed_) return;
@@ -99,16 +111,9 @@ std::ostream& Outputs::open(const std::string& path) {
   std::error_code error;
   if (path.empty()) throw UserError("output file", "the name is empty", "give one");
   if (fs::is_directory(path, error)) throw UserError(path, "is a folder", "name a file in it");
-  auto file = std::make_unique<File>();
-  file->path = path;
   const bool device = fs::exists(path, error) && !fs::is_regular_file(path, error);
-  if (!device) {
-    file->part = path + ".part";
-    file->guard = std::make_unique<PartGuard>(file->part);
-  }
-  errno = 0;
-  file->stream.open(device ? path : file->part, std::ios::binary | std::ios::trunc);
-  if (!file->stream) refuse(path, errno);
+  auto file = std::make_unique<File>(path, device ? "" : path + ".part");
+  if (file->stream.error() != 0) refuse(path, file->stream.error());
   files_.push_back(std::move(file));
   return files_.back()->stream;
 }
@@ -116,17 +121,13 @@ std::ostream& Outputs::open(const std::string& path) {
 void Outputs::write(const std::string& path, const std::string& bytes) {
   open(path);
   File& file = *files_.back();
-  errno = 0;
   file.stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   close(file);
 }
 
 void Outputs::close(File& file) {
-  if (!file.stream.is_open()) return;
-  const bool good = file.stream.good();
-  if (good) errno = 0;
   file.stream.close();
-  if (!good || file.stream.fail()) refuse(file.path, good ? errno : 0);
+  if (file.stream.error() != 0) refuse(file.path, file.stream.error());
 }
 
 void Outputs::commit() {
@@ -136,7 +137,6 @@ void Outputs::commit() {
     std::error_code error;
     fs::rename(file->part, file->path, error);
     if (error) refuse(file->path, error.value());
-    file->guard.reset();
   }
   committed_ = true;
 }

@@ -1,8 +1,8 @@
 #pragma once
 /// Output files that appear all together or not at all.
 #include <filesystem>
-#include <fstream>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -28,7 +28,7 @@ void remove_parts_on_interrupt();
 /// device or pipe is written directly. Every function throws UserError when the disk refuses.
 class Outputs {
  public:
-  Outputs() = default;
+  Outputs();
   ~Outputs();
   Outputs(const Outputs&) = delete;
   Outputs& operator=(const Outputs&) = delete;
@@ -45,11 +45,7 @@ class Outputs {
   std::vector<std::string> names() const;
 
  private:
-  struct File {
-    std::string path, part;  ///< part is empty for a device
-    std::ofstream stream;
-    std::unique_ptr<PartGuard> guard;
-  };
+  struct File;
   static void close(File& file);
 
   std::vector<std::unique_ptr<File>> files_;
