@@ -63,7 +63,9 @@ struct JudgeOptions {
   std::function<void(const std::string& stage, double done)> progress;  ///< may be empty
 };
 
-Judgement judge(const Trace& trace, const UnitConfig& config, const Engine& engine,
-                const std::vector<Verdict>& verdicts, const JudgeOptions& options = {});
+/// @param engine  after its pass 2; its buffers tell the causes
+Judgement judge(const Trace& trace, const UnitConfig& config, const FrameSetup& setup,
+                const Engine& engine, const std::vector<Verdict>& verdicts,
+                const JudgeOptions& options = {});
 
 }  // namespace kagesen

@@ -1,0 +1,253 @@
+#include "model/reference/cause.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "model/unit/edge_walker.h"
+
+namespace kagesen {
+namespace {
+
+using unit::Line;
+
+Line as_line(const LineRecord& record) {
+  Line line;
+  line.fraction = static_cast<std::uint16_t>(record.fraction);
+  line.slope = static_cast<std::uint16_t>(record.slope);
+  line.polygon = record.polygon;
+  line.flags = static_cast<std::uint8_t>(
+      (record.left ? Line::kLeft : 0) | (record.cross ? Line::kCross : 0) |
+      (record.x_major ? Line::kXMajor : 0) | (record.x_positive ? Line::kXPositive : 0) |
+      (record.start_here ? Line::kStartHere : 0) | (record.end_here ? Line::kEndHere : 0));
+  return line;
+}
+
+std::uint64_t word(const Line& line) {
+  return std::uint64_t{line.fraction} << 24 | std::uint64_t{line.slope} << 8 | line.flags;
+}
+
+std::vector<Line> lines_of(const TexelEntry& entry) {
+  std::vector<Line> lines;
+  for (const LineRecord& record : entry.lines) lines.push_back(as_line(record));
+  return lines;
+}
+
+/// Is the point on the side of the exact line that the stored line claims as inside?
+bool holds_exactly(const Line& line, const LightPoint& from, const LightPoint& to,
+                   const LightPoint& p) {
+  const std::int64_t turn = (std::int64_t{to.x} - from.x) * (std::int64_t{p.y} - from.y) -
+                            (std::int64_t{to.y} - from.y) * (std::int64_t{p.x} - from.x);
+  return line.has(Line::kLeft) ? turn <= 0 : turn >= 0;
+}
+
+}  // namespace
+
+CauseFinder::CauseFinder(const Trace& trace, const UnitConfig& config, const FrameSetup& setup,
+                         const MapContents& contents, const ExactReference& reference)
+    : trace_(trace),
+      config_(config),
+      setup_(setup),
+      contents_(contents),
+      reference_(reference),
+      decision_(config),
+      objects_of_id_() {
+  if (setup.unit_ids.empty()) return;
+  objects_of_id_.resize(std::size_t{1} << config.id_bits);
+  for (std::uint32_t object = 0; object < setup.unit_ids.size(); ++object) {
+    objects_of_id_[setup.unit_ids[object]].push_back(object);
+  }
+}
+
+std::uint32_t CauseFinder::unit_id(std::uint32_t object) const {
+  return object < setup_.unit_ids.size() ? setup_.unit_ids[object]
+                                         : object & ((1u << config_.id_bits) - 1);
+}
+
+std::pair<const TexelEntry*, const TexelEntry*> CauseFinder::entries_at(std::uint32_t texel) const {
+  const auto index = [this](const TexelEntry& e) {
+    return e.texel_y * contents_.width + e.texel_x;
+  };
+  const TexelEntry* begin = contents_.entries.data();
+  const TexelEntry* end = begin + contents_.entries.size();
+  const TexelEntry* first = std::lower_bound(
+      begin, end, texel, [&](const TexelEntry& e, std::uint32_t t) { return index(e) < t; });
+  const TexelEntry* last = first;
+  while (last != end && index(*last) == texel) ++last;
+  return {first, last};
+}
+
+const TexelEntry* CauseFinder::entry_of(const Place& at, std::uint32_t id) const {
+  const auto [first, last] = entries_at(at.index);
+  const TexelEntry* found =
+      std::find_if(first, last, [&](const TexelEntry& e) { return e.object == id; });
+  return found == last ? nullptr : found;
+}
+
+bool CauseFinder::inside(const TexelEntry& entry, const unit::SubTexel& point) const {
+  const std::vector<Line> lines = lines_of(entry);
+  return decision_.inside(lines.data(), static_cast<std::uint32_t>(lines.size()), entry.vertex,
+                          point);
+}
+
+bool CauseFinder::covered(const Fragment& f, std::uint32_t id) const {
+  if (objects_of_id_.empty()) return reference_.covered_by(f.position.x, f.position.y, id);
+  const std::vector<std::uint32_t>& objects = objects_of_id_[id];
+  return std::any_of(objects.begin(), objects.end(), [&](std::uint32_t object) {
+    return reference_.covered_by(f.position.x, f.position.y, object);
+  });
+}
+
+Cause CauseFinder::find(const Fragment& f, bool exact_dark) const {
+  const int bits = static_cast<int>(setup_.fraction_bits);
+  Place at;
+  at.x = (f.position.x >> bits) + static_cast<std::int32_t>(contents_.width / 2);
+  at.y = (f.position.y >> bits) + static_cast<std::int32_t>(contents_.height / 2);
+  at.index = static_cast<std::uint32_t>(at.y) * contents_.width + static_cast<std::uint32_t>(at.x);
+  at.depth = f.position.z >> (kDepthBits - config_.depth_bits);
+  at.id = unit_id(f.object);
+  const int kept = config_.position_bits == 0
+                       ? bits
+                       : std::clamp(static_cast<int>(config_.position_bits),
+                                    static_cast<int>(config_.fraction_bits), bits);
+  const std::int64_t mask = (std::int64_t{1} << bits) - 1;
+  at.point = {(f.position.x & mask) >> (bits - kept), (f.position.y & mask) >> (bits - kept), kept};
+  if (contents_.overflowed[at.index]) return Cause::kCapacity;
+  return exact_dark ? false_lit(f, at) : false_dark(f, at);
+}
+
+Cause CauseFinder::false_dark(const Fragment& f, const Place& at) const {
+  const std::uint32_t id = contents_.object[at.index];
+  if (id != at.id && at.depth > contents_.depth[at.index]) {
+    // The buffers: this texel is said to be wholly covered.
+    if (covered(f, id) || config_.depth_writes == DepthWrites::kAll) return Cause::kDepth;
+    return Cause::kCancelling;
+  }
+  const auto [first, last] = entries_at(at.index);
+  for (const TexelEntry* e = first; e != last; ++e) {
+    if (e->object == at.id || at.depth <= e->nearest || !inside(*e, at.point)) continue;
+    return covered(f, e->object) ? Cause::kDepth : outline(f, at, *e, false);
+  }
+  return Cause::kOther;  // no source said dark: the verdict is not this unit's
+}
+
+Cause CauseFinder::false_lit(const Fragment& f, const Place& at) const {
+  if (config_.own_id_rule == OwnIdRule::kLiteral && contents_.object[at.index] == at.id)
+    return Cause::kIdRule;
+  std::vector<std::uint32_t> casters, objects;
+  reference_.casters_in(f.position.x, f.position.y, f.position.x, f.position.y, casters);
+  for (const std::uint32_t c : casters) objects.push_back(trace_.all_casters[c].object);
+  std::sort(objects.begin(), objects.end());
+  objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
+  Cause cause = Cause::kOther;
+  for (const std::uint32_t object : objects) {
+    if (object == f.object ||
+        !reference_.covered_by(f.position.x, f.position.y, object, f.position.z))
+      continue;
+    // Of several missed objects the one that misses for an outline's sake tells the most.
+    const Cause found = missed_object(f, at, object);
+    if (cause == Cause::kOther || found < cause) cause = found;
+  }
+  return cause;
+}
+
+Cause CauseFinder::missed_object(const Fragment& f, const Place& at, std::uint32_t object) const {
+  const std::uint32_t id = unit_id(object);
+  if (id == at.id) return Cause::kIdRule;
+  if (const TexelEntry* entry = entry_of(at, id)) {
+    if (at.depth <= entry->nearest) return Cause::kDepth;
+    return outline(f, at, *entry, true);
+  }
+  const std::uint32_t in_buffer = contents_.object[at.index];
+  if (in_buffer == id) return Cause::kDepth;
+  const std::vector<OutlineLine> expected = exact_outline(at, id);
+  if (!expected.empty()) {
+    const bool hidden = config_.hidden_removal != HiddenRemoval::kOff && in_buffer != kNoObject;
+    return hidden ? Cause::kHiddenRemoval : Cause::kCancelling;
+  }
+  // It covers the whole texel, and something nearer took its place in the buffers, or nothing did.
+  if (in_buffer == kNoObject) return Cause::kCancelling;
+  return in_buffer == at.id ? Cause::kIdRule : Cause::kDepth;
+}
+
+std::vector<CauseFinder::OutlineLine> CauseFinder::exact_outline(const Place& at,
+                                                                 std::uint32_t id) const {
+  const int bits = static_cast<int>(setup_.fraction_bits);
+  const std::int32_t x0 = (at.x - static_cast<std::int32_t>(contents_.width / 2)) << bits;
+  const std::int32_t y0 = (at.y - static_cast<std::int32_t>(contents_.height / 2)) << bits;
+  const std::int32_t size = 1 << bits;
+  std::vector<std::uint32_t> casters;
+  reference_.casters_in(x0, y0, x0 + size, y0 + size, casters);
+  std::vector<OutlineLine> lines;
+  for (const std::uint32_t index : casters) {
+    Caster c = trace_.all_casters[index];
+    if (unit_id(c.object) != id) continue;
+    const std::int64_t area = (std::int64_t{c.vertex[1].x} - c.vertex[0].x) *
+                                  (std::int64_t{c.vertex[2].y} - c.vertex[0].y) -
+                              (std::int64_t{c.vertex[1].y} - c.vertex[0].y) *
+                                  (std::int64_t{c.vertex[2].x} - c.vertex[0].x);
+    if (area == 0) continue;
+    for (int i = 0; i < 3; ++i) {
+      LightPoint a = c.vertex[i], b = c.vertex[(i + 1) % 3];
+      if (a.x == b.x && a.y == b.y) continue;
+      if (b.y < a.y || (b.y == a.y && b.x < a.x)) std::swap(a, b);
+      const auto edge =
+          unit::setup_edge(a, b, c.vertex[(i + 2) % 3], bits, static_cast<int>(config_.slope_bits));
+      for (unit::EdgeWalker walker(edge, bits, static_cast<int>(config_.fraction_bits));;
+           walker.step()) {
+        const unit::OutlineTexel texel = walker.texel();
+        if ((texel.x << bits) == x0 && (texel.y << bits) == y0) {
+          lines.push_back({texel.line, a, b, texel.nearest});
+          break;
+        }
+        if (walker.last()) break;
+      }
+    }
+  }
+  // Cancel by equal ends and opposite sides.
+  const auto ends = [](const OutlineLine& l) {
+    return std::tie(l.from.x, l.from.y, l.to.x, l.to.y);
+  };
+  std::vector<OutlineLine> kept;
+  for (const OutlineLine& line : lines) {
+    const auto partner = std::find_if(kept.begin(), kept.end(), [&](const OutlineLine& other) {
+      return ends(other) == ends(line) && other.line.has(Line::kLeft) != line.line.has(Line::kLeft);
+    });
+    if (partner != kept.end()) {
+      kept.erase(partner);
+    } else {
+      kept.push_back(line);
+    }
+  }
+  return kept;
+}
+
+Cause CauseFinder::outline(const Fragment& f, const Place& at, const TexelEntry& entry,
+                           bool covered) const {
+  std::vector<OutlineLine> expected = exact_outline(at, entry.object);
+  const std::vector<Line> stored = lines_of(entry);
+  std::vector<const OutlineLine*> match(stored.size(), nullptr);
+  std::vector<bool> used(expected.size(), false);
+  bool equal = stored.size() == expected.size();
+  for (std::size_t i = 0; i < stored.size() && equal; ++i) {
+    for (std::size_t j = 0; j < expected.size() && match[i] == nullptr; ++j) {
+      if (used[j] || word(stored[i]) != word(expected[j].line)) continue;
+      match[i] = &expected[j];
+      used[j] = true;
+    }
+    equal = match[i] != nullptr;
+  }
+  if (!equal) {
+    const bool hidden =
+        config_.hidden_removal == HiddenRemoval::kCentre && stored.size() < expected.size() &&
+        std::any_of(expected.begin(), expected.end(),
+                    [&](const OutlineLine& l) { return contents_.depth[at.index] < l.nearest; });
+    return hidden ? Cause::kHiddenRemoval : Cause::kCancelling;
+  }
+  const bool exact = decision_.inside_if(
+      stored.data(), static_cast<std::uint32_t>(stored.size()), entry.vertex, [&](std::uint32_t i) {
+        return holds_exactly(stored[i], match[i]->from, match[i]->to, f.position);
+      });
+  return exact == covered ? Cause::kQuantisation : Cause::kCombination;
+}
+
+}  // namespace kagesen
