@@ -48,7 +48,8 @@ RunResult simulate(const Trace& trace, const UnitConfig& config, const SimulateO
 
   Stopwatch watch;
   UnitIds units = assign_unit_ids(trace, trace.header.fraction_bits, int(config.id_bits));
-  engine->begin(config, {trace.header.fraction_bits, std::move(units.ids)});
+  const FrameSetup setup{trace.header.fraction_bits, std::move(units.ids)};
+  engine->begin(config, setup);
   const auto& casters = trace.all_casters;
   for (std::size_t at = 0; at < casters.size(); at += kPortion) {
     progress("pass 1", double(at) / double(casters.size()));
@@ -74,7 +75,7 @@ RunResult simulate(const Trace& trace, const UnitConfig& config, const SimulateO
     JudgeOptions judging;
     judging.equivalent_resolution = options.equivalent_resolution;
     judging.progress = options.progress;
-    result.judgement = judge(trace, config, *engine, result.verdicts, judging);
+    result.judgement = judge(trace, config, setup, *engine, result.verdicts, judging);
     result.stages_s.emplace_back("reference", watch.lap());
   }
   return result;

@@ -40,10 +40,11 @@ bool FileStream::drain() {
   return error_ == 0;
 }
 
-FileStream::int_type FileStream::overflow(int_type letter) {
-  if (!drain()) return traits_type::eof();
-  return traits_type::eq_int_type(letter, traits_type::eof()) ? 0
-                                                              : sputc(traits_type::to_char_type(letter));
+std::streambuf::int_type FileStream::overflow(std::streambuf::int_type letter) {
+  using Traits = std::streambuf::traits_type;
+  if (!drain()) return Traits::eof();
+  if (Traits::eq_int_type(letter, Traits::eof())) return Traits::not_eof(letter);
+  return sputc(Traits::to_char_type(letter));
 }
 
 int FileStream::sync() { return drain() ? 0 : -1; }

@@ -20,7 +20,7 @@ class FileStream : private std::streambuf, public std::ostream {
   int error() const { return error_; }
 
  private:
-  int_type overflow(int_type letter) override;
+  std::streambuf::int_type overflow(std::streambuf::int_type letter) override;
   int sync() override;
   bool drain();
 
