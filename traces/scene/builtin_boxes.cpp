@@ -22,7 +22,7 @@ void build_boxes(Scene& scene) {
          0.4f + 0.4f * static_cast<float>(random.uniform(0, 1))});
   }
   add_level_ground(scene, 0, 0, 14, 14);
-  fit_camera(scene);
+  fit_camera(scene, 1.5);
   fit_light(scene);
 }
 

@@ -53,7 +53,7 @@ void build_hair(Scene& scene) {
   place(ball, {0, 0, 10}, {0.2, 1.9, 0});
   add(scene, std::move(ball), "ball", {0.80f, 0.42f, 0.34f});
   add_level_ground(scene, 0, 0, 9, 9);
-  fit_camera(scene);
+  fit_camera(scene, 1.5);
   fit_light(scene);
 }
 

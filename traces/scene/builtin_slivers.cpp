@@ -55,7 +55,7 @@ void build_slivers(Scene& scene) {
     add(scene, std::move(needle), "needle", {0.60f, 0.62f, 0.44f});
   }
   add_level_ground(scene, 0, 0, 9, 9);
-  fit_camera(scene);
+  fit_camera(scene, 1.5);
   fit_light(scene);
 }
 

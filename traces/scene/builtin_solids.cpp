@@ -30,8 +30,8 @@ void build_solids(Scene& scene) {
     rest_on_ground(object, p.gap);
     add(scene, std::move(object), p.name, p.colour);
   }
-  add_level_ground(scene, 0, 0, 8, 8);
-  fit_camera(scene);
+  add_level_ground(scene, 0.8, 0.2, 6, 6);
+  fit_camera(scene, 1.5);
   fit_light(scene);
 }
 

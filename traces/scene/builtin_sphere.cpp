@@ -9,7 +9,7 @@ void build_sphere1m(Scene& scene) {
   place(sphere, {20, 0, 15}, {0, 2.1, 0});
   add(scene, std::move(sphere), "sphere", {0.72f, 0.72f, 0.76f});
   add_level_ground(scene, 0, 0, 7, 7);
-  fit_camera(scene);
+  fit_camera(scene, 1.5);
   fit_light(scene);
 }
 

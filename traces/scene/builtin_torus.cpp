@@ -20,7 +20,7 @@ void build_torus(Scene& scene) {
   place(pearl, {0, 0, 0}, {0.55, 0.8, -0.5});
   add(scene, std::move(pearl), "pearl", {0.88f, 0.86f, 0.80f});
   add_level_ground(scene, 0, 0, 8, 8);
-  fit_camera(scene);
+  fit_camera(scene, 1.5);
   fit_light(scene);
 }
 

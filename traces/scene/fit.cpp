@@ -88,7 +88,9 @@ void add_ground(Scene& scene) {
   scene.objects.push_back(std::move(ground));
 }
 
-void fit_camera(Scene& scene) {
+void fit_camera(Scene& scene) { fit_camera(scene, 1); }
+
+void fit_camera(Scene& scene, double aspect) {
   const Bounds bounds = caster_bounds(scene);
   if (bounds.empty()) return;
   Camera camera;
@@ -99,10 +101,10 @@ void fit_camera(Scene& scene) {
   const glm::dvec3 right = glm::normalize(glm::cross(camera.up, back));
   const glm::dvec3 up = glm::cross(back, right);
   const double slope = 0.92 * std::tan(glm::radians(camera.vertical_fov_degrees) / 2);
-  double distance = 0;  // the least from which every vertex stands within the (square) view
+  double distance = 0;  // the least from which every vertex stands within the view
   visit_vertices(scene, true, [&](const glm::dvec3& p) {
     const glm::dvec3 q = p - camera.target;
-    const double aside = std::max(std::abs(glm::dot(q, right)), std::abs(glm::dot(q, up)));
+    const double aside = std::max(std::abs(glm::dot(q, right)) / aspect, std::abs(glm::dot(q, up)));
     distance = std::max(distance, glm::dot(q, back) + aside / slope);
   });
   if (!(distance > 0)) distance = std::max(1.0, 2 * bounds.diagonal());

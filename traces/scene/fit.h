@@ -24,4 +24,7 @@ bool has_floor(const Scene& scene);
 /// enough for the shadows of its light (up to 60 degrees from vertical).
 void add_ground(Scene& scene);
 
+/// fit_camera for images at least `aspect` times as wide as high; the plain one takes 1.
+void fit_camera(Scene& scene, double aspect);
+
 }  // namespace kagesen
