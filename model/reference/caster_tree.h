@@ -78,6 +78,21 @@ class CasterTree {
     }
   }
 
+  /// log2 of the side of the leaf that holds (x, y), units; a small one if no caster is near.
+  int leaf_size(std::int32_t x, std::int32_t y) const {
+    int size = root_size_;
+    if (!contains(x, y)) return std::max(size - 6, 0);
+    const auto cx = std::uint32_t(std::int64_t{x} - box_.x0);
+    const auto cy = std::uint32_t(std::int64_t{y} - box_.y0);
+    const Node* node = nodes_.data();
+    while (node->children != 0) {
+      size = node->child_shift;
+      const std::uint32_t mask = (1u << node->fan_out) - 1;
+      node = &nodes_[node->children + ((cy >> size & mask) << node->fan_out) + (cx >> size & mask)];
+    }
+    return size;
+  }
+
   /// Calls visit(const Node&) for every node that meets the box, parents first, as long as it
   /// returns true. Leaves out a node, with all below it, where enter(index) is false. False: it was
   /// stopped.

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 
+#include "model/reference/boundary.h"
 #include "model/reference/caster_tree.h"
 
 namespace kagesen {
@@ -62,8 +63,16 @@ struct ExactReference::Impl {
     return *box_tree;
   }
 
+  /// Only the judgement of wrong fragments asks for outlines, so this is made on demand too.
+  const BoundaryFinder& boundary() const {
+    std::call_once(finder_once, [this] { finder.emplace(tree); });
+    return *finder;
+  }
+
   const std::vector<Caster>& casters;
   CasterTree tree;
+  mutable std::once_flag finder_once;
+  mutable std::optional<BoundaryFinder> finder;
   mutable std::once_flag boxes_once;
   mutable std::optional<CasterTree> box_tree;
 };
@@ -111,6 +120,23 @@ double ExactReference::contact_distance(const LightPoint& p, std::uint32_t objec
   const bool all = semantics == Semantics::kPhysical;
   return std::abs(
       impl_->nearest_surface(p.x, p.y, [=](std::uint32_t o) { return all || o != object; }) - p.z);
+}
+
+double ExactReference::boundary_distance(const LightPoint& p, std::uint32_t object,
+                                         Semantics semantics, double limit) const {
+  if (!(limit > 0)) return limit;
+  return impl_->boundary().distance({p, object, semantics}, dark(p, object, semantics), limit);
+}
+
+bool ExactReference::near_boundary(const LightPoint& p, std::uint32_t object, Semantics semantics,
+                                   double radius) const {
+  if (!(radius > 0)) return false;
+  const BoundaryFinder::Query query{p, object, semantics};
+  const BoundaryFinder& finder = impl_->boundary();
+  if (!finder.any_candidate(query, radius)) return false;
+  // A lit point sees every candidate; only a dark one has to look for what covers them.
+  if (!dark(p, object, semantics)) return true;
+  return finder.distance(query, true, radius) < radius;
 }
 
 void ExactReference::casters_in(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1,
