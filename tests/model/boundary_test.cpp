@@ -71,26 +71,32 @@ double sampled_distance(const std::vector<Caster>& casters, const LightPoint& p,
   return best;
 }
 
+/// A jittered height field of `side` x `side` points 12 units apart: almost every edge is shared.
+std::vector<Caster> height_field(int side, Generator& g) {
+  std::vector<LightPoint> grid;
+  for (int j = 0; j < side; ++j) {
+    for (int i = 0; i < side; ++i) {
+      grid.push_back({std::int32_t(12 * i - 6 * side + 6 + g.in(-4, 4)),
+                      std::int32_t(12 * j - 6 * side + 6 + g.in(-4, 4)),
+                      std::uint32_t(g.in(100, 140))});
+    }
+  }
+  std::vector<Caster> casters;
+  for (int j = 0; j + 1 < side; ++j) {
+    for (int i = 0; i + 1 < side; ++i) {
+      const LightPoint* p = &grid[std::size_t(j * side + i)];
+      casters.push_back({{p[0], p[1], p[side]}, 0, 0});
+      casters.push_back({{p[side], p[1], p[side + 1]}, 0, 0});
+    }
+  }
+  return casters;
+}
+
 /// Triangles some tens of units in size: every kind of overlap, and small enough to sample.
 std::vector<Caster> small_scene(std::size_t count, std::uint64_t seed, bool mesh) {
   Generator g(seed);
   std::vector<Caster> casters;
-  if (mesh) {  // a jittered height field: almost every edge is shared
-    constexpr int kSide = 7;
-    LightPoint grid[kSide][kSide];
-    for (int j = 0; j < kSide; ++j) {
-      for (int i = 0; i < kSide; ++i) {
-        grid[j][i] = {std::int32_t(12 * i - 36 + g.in(-4, 4)),
-                      std::int32_t(12 * j - 36 + g.in(-4, 4)), std::uint32_t(g.in(100, 140))};
-      }
-    }
-    for (int j = 0; j + 1 < kSide; ++j) {
-      for (int i = 0; i + 1 < kSide; ++i) {
-        casters.push_back({{grid[j][i], grid[j][i + 1], grid[j + 1][i]}, 0, 0});
-        casters.push_back({{grid[j + 1][i], grid[j][i + 1], grid[j + 1][i + 1]}, 0, 0});
-      }
-    }
-  }
+  if (mesh) casters = height_field(7, g);
   for (std::size_t i = 0; i < count; ++i) {
     Caster c;
     const LightPoint centre = g.point(-30, 30, 90, 150);
@@ -128,6 +134,24 @@ TEST(Boundary, DistanceAgreesWithSampling) {
   }
   EXPECT_GT(dark, 100u);
   EXPECT_GT(lit, 100u);
+}
+
+/// In the middle of a mesh there are only depth lines, in a tree many levels deep.
+TEST(Boundary, DepthLinesOfAMesh) {
+  Generator g(5);
+  const auto casters = height_field(60, g);
+  const ExactReference reference(casters);
+  std::size_t found = 0;
+  for (int i = 0; i < 40; ++i) {
+    const LightPoint p = g.point(-300, 300, 98, 142);
+    const double expected = sampled_distance(casters, p, 1, Semantics::kPaper, 12);
+    ASSERT_NEAR(reference.boundary_distance(p, 1, Semantics::kPaper, 12), expected, 1);
+    if (std::abs(expected - 6) > 1) {
+      ASSERT_EQ(reference.near_boundary(p, 1, Semantics::kPaper, 6), expected < 6);
+    }
+    found += expected < 12;
+  }
+  EXPECT_GT(found, 20u);
 }
 
 /// A point of the other verdict can never be nearer than the distance.
