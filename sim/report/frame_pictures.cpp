@@ -138,14 +138,13 @@ std::string frame_exr(const Trace& trace, const RunResult& result) {
   const int height = static_cast<int>(trace.header.image_height);
   const std::size_t pixels = std::size_t(width) * height;
   std::vector<Channel> channels;
-  // Pointers into `channels` are taken only once every channel is there.
   std::vector<std::string> names{"R", "G", "B", "mask", "object"};
   if (result.judgement) {
     names.insert(names.end(), {"exact.paper", "exact.physical", "cause.paper", "cause.physical"});
   }
   for (const std::string& name : names) {
     const bool colour = channels.size() < 3;
-    channels.push_back({name, std::vector<float>(pixels, colour ? 0.0f : -1.0f), name != "object"});
+    channels.push_back({name, std::vector<float>(pixels, colour ? 0.0f : -1.0f)});
   }
   for (int y = 0; y < height; ++y) {
     const Light3 light = sky(double(y) / height);
@@ -166,7 +165,8 @@ std::string frame_exr(const Trace& trace, const RunResult& result) {
     channels[7].values[pixel] = float(result.judgement->cause_paper[i]);
     channels[8].values[pixel] = float(result.judgement->cause_physical[i]);
   });
-  return encode_exr(width, height, channels);
+  constexpr std::size_t kHalfExact = 2048;
+  return encode_exr(width, height, channels, trace.header.objects.size() <= kHalfExact);
 }
 
 }  // namespace kagesen

@@ -22,7 +22,7 @@ class Rows {
 
 std::string displacement(const ErrorFigures& e) {
   if (e.wrong == 0) return "-";
-  return fmt::format("{:.3f} / {:.3f} / {}{:.3f}", e.displacement_mean, e.displacement_p99,
+  return fmt::format("{:.3g} / {:.3g} / {}{:.3g}", e.displacement_mean, e.displacement_p99,
                      e.displacement_capped ? ">" : "", e.displacement_max);
 }
 
