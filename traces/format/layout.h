@@ -2,9 +2,6 @@
 /// Numbers of the trace file's layout (docs/trace-format.md). Not for use outside this folder.
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace kagesen {
