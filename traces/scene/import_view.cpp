@@ -26,7 +26,8 @@ bool import_camera(const aiScene& file, const NodeTransforms& nodes, Scene& scen
   for (unsigned int i = 0; i < file.mNumCameras; ++i) {
     const aiCamera& from = *file.mCameras[i];
     const glm::dmat4 world = transform_of(nodes, from.mName);
-    const glm::dvec3 eye(world * glm::dvec4(vector_of(from.mPosition), 1));
+    // The node alone places it: Assimp 5.2 repeats the node's translation in mPosition.
+    const glm::dvec3 eye(world[3]);
     const glm::dvec3 ahead = glm::dmat3(world) * vector_of(from.mLookAt);
     const glm::dvec3 up = glm::dmat3(world) * vector_of(from.mUp);
     // Of the formats read here only glTF has cameras, and Assimp 5.2 gives their vertical angle
