@@ -72,6 +72,7 @@ int run_program(int argc, char** argv) {
   add_scenes(app);
   add_config(app);
   add_trace(app);
+  add_gbuffer(app);
   add_results(app);
   try {
     app.parse(argc, argv);
