@@ -20,8 +20,8 @@ struct ResultsOptions {
 /// One run.
 struct Measurement {
   unsigned scale = 1, bits = 8;
-  std::uint64_t fragments = 0, texels = 0, lines = 0, payload_bytes = 0, allocated_bytes = 0;
-  std::uint64_t overflow_lines = 0;
+  std::uint64_t fragments = 0, texels = 0, lines = 0;
+  std::uint64_t payload_bytes = 0, allocated_bytes = 0, overflow_lines = 0;
   ErrorFigures paper, physical;
   EquivalentResolution equivalent;
   PlainFigures plain_same_side, plain_equal_bytes;
