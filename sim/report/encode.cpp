@@ -9,7 +9,8 @@ namespace kagesen {
 namespace {
 
 /// Encodes interleaved pixels of `type` into memory.
-std::string encode(const char* name, OIIO::ImageSpec spec, OIIO::TypeDesc type, const void* pixels) {
+std::string encode(const char* name, OIIO::ImageSpec spec, OIIO::TypeDesc type,
+                   const void* pixels) {
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   auto output = OIIO::ImageOutput::create(name, &memory);

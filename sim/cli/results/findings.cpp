@@ -39,12 +39,13 @@ Total total(const std::vector<SceneResults>& results, unsigned scale, unsigned b
 std::string largest_cause(const Total& t) {
   const auto largest = std::max_element(t.causes.begin() + 1, t.causes.end());
   if (*largest == 0) return "-";
-  return fmt::format("{} ({:.0f} %)",
-                     cause_name(static_cast<Cause>(largest - t.causes.begin())),
+  return fmt::format("{} ({:.0f} %)", cause_name(static_cast<Cause>(largest - t.causes.begin())),
                      100.0 * double(*largest) / double(t.wrong));
 }
 
-double ratio(std::uint64_t a, std::uint64_t b) { return double(a) / double(std::max<std::uint64_t>(b, 1)); }
+double ratio(std::uint64_t a, std::uint64_t b) {
+  return double(a) / double(std::max<std::uint64_t>(b, 1));
+}
 
 std::string totals_table(const std::vector<SceneResults>& results,
                          const std::vector<unsigned>& scales) {
@@ -95,11 +96,12 @@ std::string claim(const std::string& words, const std::vector<SceneResults>& res
 Evidence chipping(const std::vector<SceneResults>& results) {
   const Total eight = total(results, 16, 8), four = total(results, 16, 4);
   const std::uint64_t chipped = four.cause(Cause::kQuantisation);
-  return {fmt::format("at 16 x 16, {} wrong fragments with 4 bits and {} with 8; of these {} and {} "
-                      "are quantisation, the part that bits mend",
-                      grouped(four.wrong), grouped(eight.wrong), grouped(chipped),
-                      grouped(eight.cause(Cause::kQuantisation))),
-          chipped >= 4 * eight.cause(Cause::kQuantisation) && 2 * chipped >= four.wrong};
+  return {
+      fmt::format("at 16 x 16, {} wrong fragments with 4 bits and {} with 8; of these {} and {} "
+                  "are quantisation, the part that bits mend",
+                  grouped(four.wrong), grouped(eight.wrong), grouped(chipped),
+                  grouped(eight.cause(Cause::kQuantisation))),
+      chipped >= 4 * eight.cause(Cause::kQuantisation) && 2 * chipped >= four.wrong};
 }
 
 Evidence constancy(const std::vector<SceneResults>& results) {
@@ -116,12 +118,13 @@ Evidence constancy(const std::vector<SceneResults>& results) {
 Evidence dark_lines(const std::vector<SceneResults>& results) {
   const Total before = total(results, 64, 8), at = total(results, 256, 8);
   const std::uint64_t depth = at.cause(Cause::kDepth) + at.cause(Cause::kHiddenRemoval);
-  return {fmt::format("from 64 x 64 to 256 x 256, false dark goes from {} to {} and false lit from "
-                      "{} to {}; depth and the removal of hidden lines cause {:.0f} % at 256 x 256, "
-                      "the largest cause is {}",
-                      grouped(before.false_dark), grouped(at.false_dark), grouped(before.false_lit),
-                      grouped(at.false_lit), 100 * ratio(depth, at.wrong), largest_cause(at)),
-          at.false_dark > 2 * before.false_dark && 10 * depth >= at.wrong};
+  return {
+      fmt::format("from 64 x 64 to 256 x 256, false dark goes from {} to {} and false lit from "
+                  "{} to {}; depth and the removal of hidden lines cause {:.0f} % at 256 x 256, "
+                  "the largest cause is {}",
+                  grouped(before.false_dark), grouped(at.false_dark), grouped(before.false_lit),
+                  grouped(at.false_lit), 100 * ratio(depth, at.wrong), largest_cause(at)),
+      at.false_dark > 2 * before.false_dark && 10 * depth >= at.wrong};
 }
 
 /// Where the unit stops being better than a plain map of its own side.
@@ -135,7 +138,8 @@ std::string crossing(const std::vector<SceneResults>& results,
   }
   return fmt::format(
       "- *As good as 65,536 times the texels.* Wrong fragments of 8 bits as a share of those of a "
-      "plain map of the same side: {}{}{}. The equivalent side of each scene stands in its table.\n",
+      "plain map of the same side: {}{}{}. The equivalent side of each scene stands in its "
+      "table.\n",
       better.empty() ? "" : "fewer at scale " + better,
       better.empty() || worse.empty() ? "" : "; more at scale ", worse);
 }
@@ -144,8 +148,9 @@ std::string crossing(const std::vector<SceneResults>& results,
 
 std::string findings_section(const std::vector<SceneResults>& results,
                              const std::vector<unsigned>& scales) {
-  std::string text = "\n## What the paper says of its pictures, and what we measure\n\n"
-                     "All scenes together:\n";
+  std::string text =
+      "\n## What the paper says of its pictures, and what we measure\n\n"
+      "All scenes together:\n";
   text += totals_table(results, scales) + "\n";
   if (has(scales, {16})) {
     text += claim("Edges of 4 bits chip at 16 x 16; more bits mend it.", results, chipping);
@@ -163,7 +168,8 @@ std::string findings_section(const std::vector<SceneResults>& results,
   for (const unsigned scale : scales) {
     for (const unsigned bits : {4u, 8u}) other += total(results, scale, bits).cause(Cause::kOther);
   }
-  text += fmt::format("- Fragments without a known cause, all scenes, scales and widths: {}.\n", other);
+  text +=
+      fmt::format("- Fragments without a known cause, all scenes, scales and widths: {}.\n", other);
   return text;
 }
 

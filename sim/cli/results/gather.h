@@ -31,7 +31,7 @@ struct SceneResults {
   std::string name, description;
   std::uint64_t triangles = 0, objects = 0;
   std::vector<Measurement> runs;  ///< by scale, 8 bits before 4
-  Canvas sheet{1, 1};             ///< crops of the frame: a column a scale; 8 bits, 4 bits, plain map
+  Canvas sheet{1, 1};  ///< crops of the frame: a column a scale; 8 bits, 4 bits, plain map
   /// The run at a scale and width.
   const Measurement& at(unsigned scale, unsigned bits) const;
 };
