@@ -46,8 +46,8 @@ class ExactReference {
   /// this.
   bool covered_by(std::int32_t x, std::int32_t y, std::uint32_t object,
                   std::uint32_t nearer_than = std::numeric_limits<std::uint32_t>::max()) const;
-  /// The surface nearest the light at (x, y); of surfaces of equal depth (rounded down) the one whose
-  /// caster comes first, as a map would keep that is drawn in order.
+  /// The surface nearest the light at (x, y); of surfaces of equal depth (rounded down) the one
+  /// whose caster comes first, as a map would keep that is drawn in order.
   DepthSample nearest(std::int32_t x, std::int32_t y) const;
 
   /// Distance in light-space units from p, at p's depth, to the nearest point where the verdict
@@ -59,8 +59,9 @@ class ExactReference {
   bool near_boundary(const LightPoint& p, std::uint32_t object, Semantics semantics,
                      double radius) const;
   /// Distance in depth units to the nearest surface of another depth test outcome at p: how close
-  /// to contact. It is how far p would have to move in depth for its verdict to change: the distance
-  /// to the surface nearest the light among those that may shadow it; infinite where none covers p.
+  /// to contact. It is how far p would have to move in depth for its verdict to change: the
+  /// distance to the surface nearest the light among those that may shadow it; infinite where none
+  /// covers p.
   double contact_distance(const LightPoint& p, std::uint32_t object, Semantics semantics) const;
 
   /// Indices of the casters whose bounding box meets the rectangle (units, inclusive), appended
