@@ -54,8 +54,8 @@ TEST_F(Import, GroundOnAndOff) {
   ImportOptions options;
   options.ground = ImportOptions::Ground::kOff;
   EXPECT_EQ(import("a.obj", kTetrahedron, options).objects.size(), 1u);
-  const std::string with_floor = std::string(kTetrahedron) +
-                                 "v -3 0 -3\nv -3 0 3\nv 3 0 3\nv 3 0 -3\nf 5 6 7 8\n";
+  const std::string with_floor =
+      std::string(kTetrahedron) + "v -3 0 -3\nv -3 0 3\nv 3 0 3\nv 3 0 -3\nf 5 6 7 8\n";
   options.ground = ImportOptions::Ground::kAuto;
   for (const Object& o : import("b.obj", with_floor, options).objects) EXPECT_TRUE(o.caster);
   options.ground = ImportOptions::Ground::kOn;
@@ -65,16 +65,16 @@ TEST_F(Import, GroundOnAndOff) {
 TEST_F(Import, GroupsAreObjectsAndOneGroupSplitsIntoComponents) {
   const std::string two =
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv 9 0 0\nv 9 1 0\nv 8 0 1\n";
-  const Scene grouped =
-      import("g.obj", two + "o left\nf 1 2 3\no right\nf 4 5 6\nf 7 8 9\n");
+  const Scene grouped = import("g.obj", two + "o left\nf 1 2 3\no right\nf 4 5 6\nf 7 8 9\n");
   ASSERT_EQ(grouped.objects.size(), 3u);
   EXPECT_EQ(grouped.objects[0].name, "left");
   EXPECT_EQ(grouped.objects[1].triangles.size(), 2u);
   EXPECT_EQ(import("one.obj", two + "f 1 2 3\nf 4 5 6\nf 7 8 9\n").objects.size(), 4u);
   ImportOptions options;
   options.ids = ImportOptions::Ids::kComponents;
-  EXPECT_EQ(import("c.obj", two + "o left\nf 1 2 3\no right\nf 4 5 6\nf 7 8 9\n", options)
-                .objects.size(), 4u);
+  EXPECT_EQ(
+      import("c.obj", two + "o left\nf 1 2 3\no right\nf 4 5 6\nf 7 8 9\n", options).objects.size(),
+      4u);
   options.ids = ImportOptions::Ids::kFile;
   EXPECT_EQ(import("f.obj", two + "f 1 2 3\nf 4 5 6\nf 7 8 9\n", options).objects.size(), 2u);
 }
@@ -171,9 +171,8 @@ std::string gltf(const TemporaryDirectory& directory, std::array<std::uint16_t, 
 }
 
 TEST_F(Import, GltfTransformsKeepObjectsApartAndMirrorsKeepNormals) {
-  const Scene scene = import(
-      "t.gltf", gltf(directory_, {0, 1, 2, 0, 1, 2},
-                     R"({"mesh":0,"name":"a","translation":[10,0,0]},
+  const Scene scene = import("t.gltf", gltf(directory_, {0, 1, 2, 0, 1, 2},
+                                            R"({"mesh":0,"name":"a","translation":[10,0,0]},
                         {"mesh":0,"name":"b","scale":[-1,1,1]},{"name":"empty"})"));
   ASSERT_EQ(scene.objects.size(), 3u);
   const Object& a = scene.objects[0];
@@ -181,18 +180,18 @@ TEST_F(Import, GltfTransformsKeepObjectsApartAndMirrorsKeepNormals) {
   EXPECT_EQ(a.positions[0].x, 10);
   const Object& b = scene.objects[1];
   const auto& t = b.triangles[0];
-  EXPECT_GT(glm::cross(b.positions[t[1]] - b.positions[t[0]],
-                       b.positions[t[2]] - b.positions[t[0]]).z, 0);
+  EXPECT_GT(
+      glm::cross(b.positions[t[1]] - b.positions[t[0]], b.positions[t[2]] - b.positions[t[0]]).z,
+      0);
 }
 
 TEST_F(Import, GltfBringsCameraAndLight) {
-  const Scene scene = import(
-      "v.gltf",
-      gltf(directory_, {0, 1, 2, 0, 1, 2},
-           R"({"mesh":0},{"name":"Eye","camera":0,"translation":[0,0,5]},
+  const Scene scene =
+      import("v.gltf", gltf(directory_, {0, 1, 2, 0, 1, 2},
+                            R"({"mesh":0},{"name":"Eye","camera":0,"translation":[0,0,5]},
               {"name":"Lamp","translation":[0,3,0],"rotation":[-0.70710678,0,0,0.70710678],
                "extensions":{"KHR_lights_punctual":{"light":0}}})",
-           R"("cameras":[{"type":"perspective",
+                            R"("cameras":[{"type":"perspective",
                 "perspective":{"yfov":0.7,"aspectRatio":1.6,"znear":0.1}}],
               "extensionsUsed":["KHR_lights_punctual"],
               "extensions":{"KHR_lights_punctual":{"lights":[
@@ -219,7 +218,8 @@ TEST_F(Import, BadGltf) {
   EXPECT_TRUE(starts(error("d.gltf", good.substr(0, 200)), "d.gltf: its JSON is damaged"));
   EXPECT_TRUE(starts(error("e.gltf", R"({"asset":{"version":"2.0"}})"), "e.gltf: "));
   EXPECT_TRUE(starts(error("f.gltf", R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],
-      "nodes":[{"children":[1]},{"children":[0]}]})"), "f.gltf: "));
+      "nodes":[{"children":[1]},{"children":[0]}]})"),
+                     "f.gltf: "));
   EXPECT_TRUE(starts(error("g.gltf", R"({"meshes":[{"primitives":[{"indices":5}]}]})"), "g.gltf"));
   EXPECT_TRUE(starts(error("h.glb", "glTF\2"), "h.glb: not a GLB"));
 }

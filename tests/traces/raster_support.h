@@ -19,8 +19,7 @@ namespace kagesen {
 
 inline auto key(const LightPoint& p) { return std::make_tuple(p.x, p.y, p.z); }
 inline auto key(const Caster& c) {
-  return std::make_tuple(key(c.vertex[0]), key(c.vertex[1]), key(c.vertex[2]), c.object,
-                         c.polygon);
+  return std::make_tuple(key(c.vertex[0]), key(c.vertex[1]), key(c.vertex[2]), c.object, c.polygon);
 }
 inline auto key(const Fragment& f) {
   return std::make_tuple(f.pixel_y, f.pixel_x, f.object, key(f.position), f.shade, f.flags);

@@ -93,8 +93,7 @@ TEST(BuiltinScenes, SolidsAreConvex) {
     if (!o.caster) continue;
     for (const auto& t : o.triangles) {
       const glm::dvec3 a = o.positions[t[0]];
-      const glm::dvec3 n =
-          glm::normalize(glm::cross(o.positions[t[1]] - a, o.positions[t[2]] - a));
+      const glm::dvec3 n = glm::normalize(glm::cross(o.positions[t[1]] - a, o.positions[t[2]] - a));
       for (const glm::dvec3& p : o.positions) {
         // The grid of 2^-20 bends flat faces by a little more than its step.
         ASSERT_LT(glm::dot(n, p - a), 2e-5) << o.name;
@@ -111,8 +110,8 @@ TEST(BuiltinScenes, UnknownNameOffersTheNearest) {
 
 TEST(Closedness, EachSolidOfTheKit) {
   for (const Object& o :
-       {make_box({1, 2, 3}), make_tetrahedron(1), make_icosahedron(1),
-        make_cylinder(1, 0.5, 1, 7), make_sphere(1, 9, 5), make_torus(2, 0.5, 11, 6),
+       {make_box({1, 2, 3}), make_tetrahedron(1), make_icosahedron(1), make_cylinder(1, 0.5, 1, 7),
+        make_sphere(1, 9, 5), make_torus(2, 0.5, 11, 6),
         make_cells({"###", "#.#", "###"}, {0, 1, 2, 3}, {0, 1, 2, 3}, 0.5)}) {
     EXPECT_GT(signed_volume(o), 0) << o.positions.size();
     EXPECT_TRUE(classified(o).closed) << o.positions.size();

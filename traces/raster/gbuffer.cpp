@@ -26,6 +26,14 @@ class Polygons {
   bool belongs(std::uint32_t polygon, std::uint32_t object) const {
     return polygon >= first_[object] && polygon < first_[object + 1];
   }
+  /// Is the polygon of this object, and does the 32-bit position lie on its plane?
+  bool holds(std::uint32_t polygon, std::uint32_t object, const glm::dvec3& world) const {
+    if (!belongs(polygon, object)) return false;
+    glm::dvec3 corner, normal;
+    plane(polygon, object, corner, normal);
+    const double size = std::max({std::abs(world.x), std::abs(world.y), std::abs(world.z)});
+    return std::abs(glm::dot(normal, world - corner)) <= 8 * 0x1p-24 * size * glm::length(normal);
+  }
   /// Corner and normal, towards the camera.
   void plane(std::uint32_t polygon, std::uint32_t object, glm::dvec3& corner,
              glm::dvec3& normal) const {
@@ -130,7 +138,7 @@ CaptureSummary capture_gbuffer(const Scene& scene, const std::string& exr_path,
     if (!file.polygon.empty() && file.polygon[i] >= 0 && file.polygon[i] < 4e9f) {
       polygon = static_cast<std::uint32_t>(file.polygon[i]);
     }
-    if (polygon != kUnknown && polygons.belongs(polygon, fragment.object)) {
+    if (polygon != kUnknown && polygons.holds(polygon, fragment.object, world)) {
       glm::dvec3 corner, normal;
       polygons.plane(polygon, fragment.object, corner, normal);
       sampler.select(polygon, normal, corner);
@@ -157,8 +165,7 @@ CaptureSummary capture_gbuffer(const Scene& scene, const std::string& exr_path,
   return frame.summary;
 }
 
-void write_gbuffer(const Scene& scene, const CaptureOptions& options,
-                   const std::string& exr_path) {
+void write_gbuffer(const Scene& scene, const CaptureOptions& options, const std::string& exr_path) {
   CaptureOptions actual = options;
   actual.mode = FragmentMode::kVisible;
   const CaptureFrame frame(scene, actual);

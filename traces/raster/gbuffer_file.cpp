@@ -64,8 +64,8 @@ class Reader {
     if (!input_) refuse(OIIO::geterror());
     const OIIO::ImageSpec& s = spec();
     if (s.deep) throw UserError(path, "a deep image", "flatten it");
-    if (s.width < 1 || s.height < 1 || s.depth > 1 ||
-        s.width > static_cast<int>(kMaxImageSide) || s.height > static_cast<int>(kMaxImageSide)) {
+    if (s.width < 1 || s.height < 1 || s.depth > 1 || s.width > static_cast<int>(kMaxImageSide) ||
+        s.height > static_cast<int>(kMaxImageSide)) {
       throw UserError(path, fmt::format("an image of {} x {} pixels", s.width, s.height),
                       fmt::format("give 1 to {} a side", kMaxImageSide));
     }
@@ -117,11 +117,11 @@ GBufferFile read_gbuffer_file(const std::string& path) {
   const int id = find_channel(spec, {"id", "object_id", "objectid", "id.x", "object_id.x",
                                      "objectid.x", "id.r", "object_id.r", "objectid.r"});
   if (position[0] < 0 || id < 0) {
-    throw UserError(path,
-                    fmt::format("it has no {} channel; found: {}",
-                                position[0] < 0 ? "position.x/y/z (or P.X/Y/Z)" : "id",
-                                reader.channel_list()),
-                    kMend);
+    throw UserError(
+        path,
+        fmt::format("it has no {} channel; found: {}",
+                    position[0] < 0 ? "position.x/y/z (or P.X/Y/Z)" : "id", reader.channel_list()),
+        kMend);
   }
   GBufferFile file;
   file.width = static_cast<std::uint32_t>(spec.width);
@@ -143,11 +143,11 @@ void write_gbuffer_file(const std::string& path, const GBufferFile& file) {
     const std::vector<float>* values;
   };
   std::vector<Named> channels;
-  for (const Named& c : {Named{"id", &file.id}, Named{"normal.x", &file.normal[0]},
-                         Named{"normal.y", &file.normal[1]}, Named{"normal.z", &file.normal[2]},
-                         Named{"polygon", &file.polygon}, Named{"position.x", &file.position[0]},
-                         Named{"position.y", &file.position[1]},
-                         Named{"position.z", &file.position[2]}}) {
+  for (const Named& c :
+       {Named{"id", &file.id}, Named{"normal.x", &file.normal[0]},
+        Named{"normal.y", &file.normal[1]}, Named{"normal.z", &file.normal[2]},
+        Named{"polygon", &file.polygon}, Named{"position.x", &file.position[0]},
+        Named{"position.y", &file.position[1]}, Named{"position.z", &file.position[2]}}) {
     if (!c.values->empty()) channels.push_back(c);
   }
   OIIO::ImageSpec spec(static_cast<int>(file.width), static_cast<int>(file.height),
@@ -165,8 +165,7 @@ void write_gbuffer_file(const std::string& path, const GBufferFile& file) {
   const std::string part = path + ".part";
   const auto output = OIIO::ImageOutput::create("exr");
   const bool written = output && output->open(part, spec) &&
-                       output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) &&
-                       output->close();
+                       output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) && output->close();
   std::error_code error;
   if (written) std::filesystem::rename(part, path, error);
   if (!written || error) {

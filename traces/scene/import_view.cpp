@@ -49,8 +49,8 @@ bool import_camera(const aiScene& file, const NodeTransforms& nodes, Scene& scen
     scene.camera.up = glm::normalize(up);
     scene.camera.vertical_fov_degrees = fov;
     if (file.mNumCameras > 1) {
-      scene.warnings.push_back(fmt::format("took camera '{}' of {}", from.mName.C_Str(),
-                                           file.mNumCameras));
+      scene.warnings.push_back(
+          fmt::format("took camera '{}' of {}", from.mName.C_Str(), file.mNumCameras));
     }
     return true;
   }
@@ -80,7 +80,8 @@ bool import_light(const aiScene& file, const NodeTransforms& nodes, Scene& scene
       const bool within = !(distance > radius);
       if (!usable(light.direction)) light.direction = glm::dvec3(0, -1, 0);
       light.spread_degrees =
-          within ? 150 : std::clamp(glm::degrees(2 * std::asin(radius / distance)) * 1.02, 1.0, 150.0);
+          within ? 150
+                 : std::clamp(glm::degrees(2 * std::asin(radius / distance)) * 1.02, 1.0, 150.0);
     } else {
       known = false;
     }
