@@ -23,10 +23,15 @@ class Combination {
   }
 
   bool inside(const ShadowDecision& decision, const SubTexel& point) {
+    return inside_if([&](std::uint32_t i) { return decision.contains(lines_[i], point); });
+  }
+  /// The same from given half-plane answers: `holds(i)` for line i.
+  template <typename Holds>
+  bool inside_if(Holds holds) {
     misses_.assign(words_, 0);
     const auto count = static_cast<std::uint32_t>(lines_.size());
     for (std::uint32_t i = 0; i < count; ++i) {
-      if (!decision.contains(lines_[i], point)) misses_[i / 64] |= std::uint64_t{1} << (i % 64);
+      if (!holds(i)) misses_[i / 64] |= std::uint64_t{1} << (i % 64);
     }
     for (std::uint32_t i = 0; i < count; ++i) {
       if ((misses_[i / 64] >> (i % 64) & 1) != 0) continue;
@@ -39,7 +44,7 @@ class Combination {
     return false;
   }
 
-  std::size_t size() const { return lines_.size(); }
+  const std::vector<Line>& lines() const { return lines_; }
 
  private:
   std::vector<Line> lines_;

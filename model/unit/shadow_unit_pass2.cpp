@@ -60,7 +60,7 @@ Verdict ShadowUnit::decide_by_lines(std::uint32_t texel, std::uint32_t object, s
       inside = decision_.inside(slb_.lines_of(at), entry.lines, entry.vertex, point);
     } else {
       Combination& combination = combination_of(at);
-      counters_.lines_read += combination.size();
+      counters_.lines_read += combination.lines().size();
       inside = combination.inside(decision_, point);
     }
     if (inside) return Verdict::kDark;
