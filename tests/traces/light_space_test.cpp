@@ -272,5 +272,16 @@ TEST(PointLight, CastersBehindAndAroundTheLight) {
   }
 }
 
+// A unit does not let lines of one polygon cancel, so the cuts between pieces would stay as
+// outlines.
+TEST(Casters, EveryPieceOfAClippedTriangleIsAPolygonOfItsOwn) {
+  const Scene scene = make_builtin("avenue");
+  const CaptureOptions options = small_options();
+  const CasterSet set = make_casters(scene, fit_light_space(scene, options));
+  ASSERT_GT(set.clipped, 0u);
+  std::set<std::uint32_t> polygons;
+  for (const Caster& c : set.casters) EXPECT_TRUE(polygons.insert(c.polygon).second) << c.polygon;
+}
+
 }  // namespace
 }  // namespace kagesen

@@ -3,7 +3,8 @@
 ///
 /// Light space is signed fixed point. The origin is a texel corner: texel (i, j) of a W x H map
 /// covers x in [(i - W/2) T, (i + 1 - W/2) T), y likewise, with T = 2^fraction_bits units a texel
-/// and W/2, H/2 rounded down. y grows with the row. Depth is unsigned and grows away from the light.
+/// and W/2, H/2 rounded down. y grows with the row. Depth is unsigned and grows away from the
+/// light.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -29,7 +30,8 @@ struct LightPoint {
 struct Caster {
   LightPoint vertex[3];
   std::uint32_t object = 0;   ///< index into TraceHeader::objects
-  std::uint32_t polygon = 0;  ///< number of the triangle in its scene; pieces of a clipped one share it
+  std::uint32_t polygon = 0;  ///< number of the triangle in its scene; further pieces of a clipped
+                              ///< one are numbered after the scene's last triangle
 };
 
 /// One sample of pass 2.
@@ -60,13 +62,13 @@ enum class FragmentMode : std::uint8_t { kVisible, kEarlyZ, kAll };
 struct TraceHeader {
   std::uint32_t map_width = 1024, map_height = 1024;  ///< texels, 1 to kMaxMapSide
   std::uint32_t fraction_bits = kMinFractionBits;     ///< units a texel = 2^fraction_bits, 16 to 26
-  double scale_x = 1, scale_y = 1;                    ///< virtual projection space, 1 to 1024 an axis
-  std::uint32_t image_width = 0, image_height = 0;    ///< pixels
+  double scale_x = 1, scale_y = 1;                  ///< virtual projection space, 1 to 1024 an axis
+  std::uint32_t image_width = 0, image_height = 0;  ///< pixels
   FragmentMode mode = FragmentMode::kVisible;
-  std::string source;         ///< scene or file name
-  std::string source_sha256;  ///< of the file, or of the built-in scene's geometry
-  std::string light;          ///< in words, for example "directional"
-  std::uint64_t seed = 0;     ///< of the built-in scene's generator; 0 where none is used
+  std::string source;                 ///< scene or file name
+  std::string source_sha256;          ///< of the file, or of the built-in scene's geometry
+  std::string light;                  ///< in words, for example "directional"
+  std::uint64_t seed = 0;             ///< of the built-in scene's generator; 0 where none is used
   std::vector<std::string> warnings;  ///< what the import and the capture had to drop or change
   std::vector<ObjectInfo> objects;
 };

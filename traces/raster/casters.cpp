@@ -20,7 +20,8 @@ constexpr glm::dvec4 kApexSide{0, 0, 1e-6, 1 - 1e-6};
 
 class CasterMaker {
  public:
-  CasterMaker(const LightSpace& space, CasterSet& out) : space_(space), grid_(space), out_(out) {}
+  CasterMaker(const LightSpace& space, std::uint32_t polygons, CasterSet& out)
+      : space_(space), grid_(space), out_(out), next_piece_(polygons) {}
 
   void add_object(const Object& object, std::uint32_t number, std::uint32_t first_polygon) {
     object_ = number;
@@ -30,6 +31,7 @@ class CasterMaker {
     for (const glm::dvec3& p : object.positions) vertices_.push_back(lit(p));
     polygon_ = first_polygon;
     for (const auto& t : object.triangles) {
+      has_piece_ = false;
       add_triangle(vertices_[t[0]], vertices_[t[1]], vertices_[t[2]]);
       ++polygon_;
       out_.first.push_back(static_cast<std::uint32_t>(out_.casters.size()));
@@ -107,7 +109,10 @@ class CasterMaker {
     if (closed_ && sum < 0) return Outcome::kCulled;
     for (int i = 2; i < n; ++i) {
       if (doubled_area(points[0], points[i - 1], points[i]) == 0) continue;
-      out_.casters.push_back({{points[0], points[i - 1], points[i]}, object_, polygon_});
+      // Pieces are polygons of their own: a unit does not let lines of one polygon cancel.
+      const std::uint32_t polygon = has_piece_ ? next_piece_++ : polygon_;
+      out_.casters.push_back({{points[0], points[i - 1], points[i]}, object_, polygon});
+      has_piece_ = true;
     }
     return Outcome::kDrawn;
   }
@@ -122,7 +127,9 @@ class CasterMaker {
   CasterSet& out_;
   std::vector<LitVertex> vertices_;
   std::uint32_t object_ = 0, polygon_ = 0;
+  std::uint32_t next_piece_;
   bool closed_ = false;
+  bool has_piece_ = false;  // of the current triangle
 };
 
 }  // namespace
@@ -131,7 +138,7 @@ CasterSet make_casters(const Scene& scene, const LightSpace& space) {
   CasterSet set;
   set.first.reserve(scene.triangle_count() + 1);
   set.first.push_back(0);
-  CasterMaker maker(space, set);
+  CasterMaker maker(space, static_cast<std::uint32_t>(scene.triangle_count()), set);
   for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     if (object.caster) {
