@@ -60,7 +60,7 @@ class GoldenEngine : public Engine {
   }
 
   void decide(const Fragment* fragments, std::size_t count, Verdict* verdicts) override {
-    for (std::size_t i = 0; i < count; ++i) verdicts[i] = unit_.decide(fragments[i]);
+    unit_.decide(fragments, count, verdicts);
   }
 
   MapContents contents() const override {
@@ -75,9 +75,9 @@ class GoldenEngine : public Engine {
     for (std::uint32_t i = 0; i < count; ++i) {
       const unit::Texel& texel = texels[i];
       out.depth.push_back(texel.depth);
-      out.object.push_back(texel.id == unit::TexelBuffers::kNoId ? kNoObject : texel.id);
-      out.overflowed.push_back(texel.overflow);
-      if (texel.edge) append_entries(i, out.entries);
+      out.object.push_back(texel.id() == unit::Texel::kNoId ? kNoObject : texel.id());
+      out.overflowed.push_back(texel.overflow());
+      if (texel.edge()) append_entries(i, out.entries);
     }
     return out;
   }

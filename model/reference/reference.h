@@ -17,16 +17,16 @@ enum class Semantics : std::uint8_t {
 
 /// A nearest-depth sample, as a plain shadow map would store.
 struct DepthSample {
-  std::uint32_t depth = kDepthMax;      ///< floor of the surface's depth
-  std::uint32_t object = 0xffffffffu;   ///< none
+  std::uint32_t depth = kDepthMax;     ///< floor of the surface's depth
+  std::uint32_t object = 0xffffffffu;  ///< none
   bool hit() const { return object != 0xffffffffu; }
 };
 
 /// Exact point queries against a trace's casters.
 ///
-/// A caster covers a point if the point lies inside or on its snapped outline; it shadows depth z if
-/// its plane there is strictly nearer than z, compared without rounding. Triangles of zero area cover
-/// nothing. Thread-safe after construction. Memory: O(casters).
+/// A caster covers a point if the point lies inside or on its snapped outline; it shadows depth z
+/// if its plane there is strictly nearer than z, compared without rounding. Triangles of zero area
+/// cover nothing. Thread-safe after construction. Memory: O(casters).
 class ExactReference {
  public:
   /// Keeps a reference to the casters.
@@ -40,7 +40,8 @@ class ExactReference {
     if (f.flags & Fragment::kOutside) return false;
     return dark(f.position, f.object, semantics);
   }
-  /// Does any caster of `object` cover (x, y)? `nearer_than`: only surfaces strictly nearer than this.
+  /// Does any caster of `object` cover (x, y)? `nearer_than`: only surfaces strictly nearer than
+  /// this.
   bool covered_by(std::int32_t x, std::int32_t y, std::uint32_t object,
                   std::uint32_t nearer_than = std::numeric_limits<std::uint32_t>::max()) const;
   /// The surface nearest the light at (x, y).
@@ -48,13 +49,17 @@ class ExactReference {
 
   /// Distance in light-space units from p, at p's depth, to the nearest point where the verdict
   /// changes; searched up to `limit` units and `limit` where none is nearer. Accurate to 1 unit.
-  double boundary_distance(const LightPoint& p, std::uint32_t object, Semantics semantics, double limit) const;
+  double boundary_distance(const LightPoint& p, std::uint32_t object, Semantics semantics,
+                           double limit) const;
   /// True if the verdict for this object and depth may change within `radius` units: the band.
-  bool near_boundary(const LightPoint& p, std::uint32_t object, Semantics semantics, double radius) const;
-  /// Distance in depth units to the nearest surface of another depth test outcome at p: how close to contact.
+  bool near_boundary(const LightPoint& p, std::uint32_t object, Semantics semantics,
+                     double radius) const;
+  /// Distance in depth units to the nearest surface of another depth test outcome at p: how close
+  /// to contact.
   double contact_distance(const LightPoint& p, std::uint32_t object, Semantics semantics) const;
 
-  /// Indices of the casters whose bounding box meets the rectangle (units, inclusive), appended once each.
+  /// Indices of the casters whose bounding box meets the rectangle (units, inclusive), appended
+  /// once each.
   void casters_in(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1,
                   std::vector<std::uint32_t>& out) const;
 

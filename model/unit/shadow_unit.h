@@ -17,8 +17,9 @@ namespace kagesen::unit {
 class ShadowUnit {
  public:
   void begin(const UnitConfig& config, const FrameSetup& setup);
-  void draw(const Caster& caster);           ///< pass 1
-  Verdict decide(const Fragment& fragment);  ///< pass 2
+  void draw(const Caster& caster);  ///< pass 1
+  /// Pass 2: a verdict a fragment.
+  void decide(const Fragment* fragments, std::size_t count, Verdict* verdicts);
 
   const UnitConfig& config() const { return config_; }
   const TexelBuffers& texels() const { return texels_; }
@@ -27,6 +28,9 @@ class ShadowUnit {
   const UnitCounters& counters() const { return counters_; }
 
  private:
+  struct Tally {  // of one call of decide
+    std::uint64_t averted = 0, outside = 0, dark_by_buffer = 0, dark_by_lines = 0;
+  };
   struct Visit {  // a texel of the polygon being drawn
     std::int32_t x, y;
     std::uint32_t texel;
@@ -40,6 +44,7 @@ class ShadowUnit {
   void remove_hidden(std::uint32_t texel, std::uint32_t depth);
   void overflow(std::uint32_t texel, std::uint32_t depth);
   void update_edge_flag(std::uint32_t texel);
+  Verdict decide_one(const Fragment& fragment, Tally& tally);
   Verdict decide_by_lines(std::uint32_t texel, std::uint32_t object, std::uint32_t depth,
                           const SubTexel& point);
   std::uint32_t unit_id(std::uint32_t object) const {
@@ -50,6 +55,7 @@ class ShadowUnit {
   int bits_ = kMinFractionBits;  // log2 of a texel's units
   int position_shift_ = 0;       // units dropped from Mx and My
   int depth_shift_ = 0;
+  std::uint32_t link_depth_ = 0;
   std::uint32_t id_mask_ = 0, polygon_mask_ = 0;
   std::int32_t centre_x_ = 0, centre_y_ = 0;  // texel of the map's origin
   std::vector<std::uint32_t> ids_;

@@ -25,6 +25,7 @@ void ShadowUnit::begin(const UnitConfig& config, const FrameSetup& setup) {
   slb_.clear(static_cast<std::uint32_t>(config.slb_buckets),
              static_cast<std::uint32_t>(config.slb_entries),
              static_cast<std::uint32_t>(config.lines_per_entry));
+  link_depth_ = static_cast<std::uint32_t>(config.link_depth);
   decision_ = ShadowDecision(config);
   counters_ = UnitCounters{};
   serial_ = 0;
@@ -85,8 +86,8 @@ void ShadowUnit::count_corner(Record& record, const OutlineTexel& at) {
 void ShadowUnit::visit_texel(const OutlineTexel& at, std::uint32_t texel_index) {
   ++counters_.edge_texels;
   Texel& texel = texels_[texel_index];
-  if (texel.overflow) {
-    TexelBuffers::write(texel, at.nearest, object_);
+  if (texel.overflow()) {
+    texel.cover(at.nearest, object_);
     ++counters_.overflow_lines;
     return;
   }
@@ -110,15 +111,16 @@ void ShadowUnit::visit_texel(const OutlineTexel& at, std::uint32_t texel_index) 
     ++counters_.lines_hidden;
     return;
   }
-  if (config_.depth_writes == DepthWrites::kAll) TexelBuffers::write(texel, at.nearest, object_);
+  if (config_.depth_writes == DepthWrites::kAll) texel.cover(at.nearest, object_);
+  const std::uint32_t used = slb_.used();
   if (entry == SilhouetteBuffer::kNone) {
     entry = slb_.insert(bucket, texel_index, object_, at.nearest);
   } else if (slb_[entry].lines == 0 || at.nearest < slb_[entry].nearest) {
     slb_.set_nearest(bucket, entry, at.nearest);
   }
-  const bool room = entry != SilhouetteBuffer::kNone && slb_.append(entry, line);
-  if (!room ||
-      slb_.chain_length(bucket, texel_index) > static_cast<std::uint64_t>(config_.link_depth)) {
+  const bool room = entry != SilhouetteBuffer::kNone && slb_.append(entry, line) &&
+                    (slb_.used() == used || slb_.chain_length(bucket, texel_index) <= link_depth_);
+  if (!room) {
     ++counters_.overflow_lines;
     overflow(texel_index, at.nearest);
     return;
@@ -127,7 +129,7 @@ void ShadowUnit::visit_texel(const OutlineTexel& at, std::uint32_t texel_index) 
   if (record.lines == 1 && record.more == SilhouetteBuffer::kNone) record.vertex = false;
   record.vertex |= line.has(Line::kStartHere) || line.has(Line::kEndHere);
   count_corner(record, at);
-  texel.edge = 1;
+  texel.set_edge(true);
   ++counters_.lines_stored;
 }
 
@@ -135,15 +137,15 @@ void ShadowUnit::overflow(std::uint32_t texel_index, std::uint32_t depth) {
   ++counters_.overflow_texels;
   Texel& texel = texels_[texel_index];
   const std::uint32_t bucket = bucket_at(texel_index);
-  TexelBuffers::write(texel, depth, object_);
+  texel.cover(depth, object_);
   for (std::uint32_t at = slb_.first_of(bucket, texel_index); at != SilhouetteBuffer::kNone;
        at = slb_.first_of(bucket, texel_index)) {
     counters_.overflow_lines += slb_.line_count(at);
-    TexelBuffers::write(texel, slb_[at].nearest, slb_[at].object);
+    texel.cover(slb_[at].nearest, slb_[at].object);
     slb_.erase(bucket, at);
   }
-  texel.edge = 0;
-  texel.overflow = 1;
+  texel.set_edge(false);
+  texel.set_overflow();
 }
 
 /// Entries without a line after all edges: the texel has one covering count all over.
@@ -169,21 +171,21 @@ void ShadowUnit::fill_spans() {
     if (from > to) return;
     counters_.span_texels += static_cast<std::uint64_t>(to - from + 1);
     ExactRamp depth = polygon_->centre_ramp(from - centre_x_, y - centre_y_);
-    std::uint32_t texel = texels_.index(from, y);
-    for (std::int32_t x = from; x <= to; ++x, ++texel, depth.advance()) {
+    const std::uint32_t first = texels_.index(from, y), last = texels_.index(to, y);
+    for (std::uint32_t texel = first; texel <= last; ++texel, depth.advance()) {
       const auto centre = static_cast<std::uint32_t>(depth.whole);
-      if (texels_[texel].edge == 0) {
-        TexelBuffers::write(texels_[texel], centre, object_);
-      } else {
+      if (texels_[texel].edge()) {
         cover(texel, centre);
+      } else {
+        texels_[texel].cover(centre, object_);
       }
     }
   });
 }
 
 void ShadowUnit::cover(std::uint32_t texel, std::uint32_t centre) {
-  TexelBuffers::write(texels_[texel], centre, object_);
-  if (config_.hidden_removal == HiddenRemoval::kOff || !texels_[texel].edge) return;
+  texels_[texel].cover(centre, object_);
+  if (config_.hidden_removal == HiddenRemoval::kOff || !texels_[texel].edge()) return;
   remove_hidden(texel, config_.hidden_removal == HiddenRemoval::kCentre
                            ? centre
                            : polygon_->farthest(centre));
@@ -203,7 +205,7 @@ void ShadowUnit::remove_hidden(std::uint32_t texel, std::uint32_t depth) {
 }
 
 void ShadowUnit::update_edge_flag(std::uint32_t texel) {
-  texels_[texel].edge = slb_.first_of(bucket_at(texel), texel) != SilhouetteBuffer::kNone;
+  texels_[texel].set_edge(slb_.first_of(bucket_at(texel), texel) != SilhouetteBuffer::kNone);
 }
 
 }  // namespace kagesen::unit

@@ -3,42 +3,45 @@
 
 namespace kagesen::unit {
 
+void ShadowUnit::decide(const Fragment* fragments, std::size_t count, Verdict* verdicts) {
+  Tally tally;
+  for (std::size_t i = 0; i < count; ++i) verdicts[i] = decide_one(fragments[i], tally);
+  counters_.fragments += count;
+  counters_.averted += tally.averted;
+  counters_.outside += tally.outside;
+  counters_.dark_by_buffer += tally.dark_by_buffer;
+  counters_.dark_by_lines += tally.dark_by_lines;
+  counters_.lit +=
+      count - tally.averted - tally.outside - tally.dark_by_buffer - tally.dark_by_lines;
+}
+
 /// Table 4. A source (the shadow buffer, or an entry) of the fragment's own ID is passed over, or,
 /// as printed, decides "lit" at once when it is the ID buffer's.
-Verdict ShadowUnit::decide(const Fragment& fragment) {
-  ++counters_.fragments;
-  if (fragment.flags & (Fragment::kAverted | Fragment::kOutside)) {
-    const bool averted = (fragment.flags & Fragment::kAverted) != 0;
-    ++(averted ? counters_.averted : counters_.outside);
-    return averted ? Verdict::kDark : Verdict::kLit;
-  }
+inline Verdict ShadowUnit::decide_one(const Fragment& fragment, Tally& tally) {
   const std::int32_t x = (fragment.position.x >> bits_) + centre_x_;
   const std::int32_t y = (fragment.position.y >> bits_) + centre_y_;
-  if (!texels_.holds(x, y)) {
-    ++counters_.outside;
-    return Verdict::kLit;
+  if ((fragment.flags & (Fragment::kAverted | Fragment::kOutside)) != 0 || !texels_.holds(x, y)) {
+    const bool averted = (fragment.flags & Fragment::kAverted) != 0;
+    ++(averted ? tally.averted : tally.outside);
+    return averted ? Verdict::kDark : Verdict::kLit;
   }
   const std::uint32_t index = texels_.index(x, y);
   const Texel texel = texels_[index];
   const std::uint32_t depth = fragment.position.z >> depth_shift_;
   const std::uint32_t object = unit_id(fragment.object);
-  if (texel.id == object && config_.own_id_rule == OwnIdRule::kLiteral) {
-    ++counters_.lit;
-    return Verdict::kLit;
-  }
-  if (texel.id != object && depth > texel.depth) {
-    ++counters_.dark_by_buffer;
+  const bool own = texel.id() == object;
+  if (!own && depth > texel.depth) {
+    ++tally.dark_by_buffer;
     return Verdict::kDark;
   }
-  if (!texel.edge) {
-    ++counters_.lit;
-    return Verdict::kLit;
-  }
+  if (!texel.edge() || (own && config_.own_id_rule == OwnIdRule::kLiteral)) return Verdict::kLit;
   const std::int64_t mask = (std::int64_t{1} << bits_) - 1;
-  return decide_by_lines(
-      index, object, depth,
-      {(fragment.position.x & mask) >> position_shift_,
-       (fragment.position.y & mask) >> position_shift_, bits_ - position_shift_});
+  const Verdict verdict =
+      decide_by_lines(index, object, depth,
+                      {(fragment.position.x & mask) >> position_shift_,
+                       (fragment.position.y & mask) >> position_shift_, bits_ - position_shift_});
+  tally.dark_by_lines += verdict == Verdict::kDark;
+  return verdict;
 }
 
 Verdict ShadowUnit::decide_by_lines(std::uint32_t texel, std::uint32_t object, std::uint32_t depth,
@@ -61,11 +64,9 @@ Verdict ShadowUnit::decide_by_lines(std::uint32_t texel, std::uint32_t object, s
       count = static_cast<std::uint32_t>(lines_.size());
     }
     if (decision_.inside(lines, count, entry.vertex, point)) {
-      ++counters_.dark_by_lines;
       return Verdict::kDark;
     }
   }
-  ++counters_.lit;
   return Verdict::kLit;
 }
 

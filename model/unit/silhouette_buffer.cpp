@@ -80,6 +80,13 @@ void SilhouetteBuffer::erase(std::uint32_t bucket, std::uint32_t entry) {
 
 void SilhouetteBuffer::set_nearest(std::uint32_t bucket, std::uint32_t entry,
                                    std::uint32_t nearest) {
+  const std::uint32_t behind = next_of(entry);
+  const bool stays = first_of(bucket, records_[entry].texel) == entry &&
+                     (behind == kNone || nearest <= records_[behind].nearest);
+  if (stays) {
+    records_[entry].nearest = nearest;
+    return;
+  }
   unlink(bucket, entry);
   records_[entry].nearest = nearest;
   link(bucket, entry);

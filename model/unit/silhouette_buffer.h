@@ -87,7 +87,8 @@ class SilhouetteBuffer {
 
   std::uint32_t buckets() const { return static_cast<std::uint32_t>(heads_.size()); }
   std::uint32_t head(std::uint32_t bucket) const { return heads_[bucket]; }
-  std::uint32_t peak() const { return peak_; }
+  std::uint32_t used() const { return used_; }  ///< records now
+  std::uint32_t peak() const { return peak_; }  ///< most records at once
 
  private:
   std::uint32_t allocate();

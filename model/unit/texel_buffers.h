@@ -8,24 +8,33 @@ namespace kagesen::unit {
 
 /// One texel of the three buffers, read at once.
 struct Texel {
-  std::uint32_t depth = 0;  ///< nearest covering depth; farthest() where nothing covers
-  std::uint32_t id : 30;
-  std::uint32_t edge : 1;      ///< the SLB holds lines of this texel
-  std::uint32_t overflow : 1;  ///< capacity ran out: only depth and ID count here
+  static constexpr std::uint32_t kNoId = (1u << 30) - 1;
+  static constexpr std::uint32_t kEdge = 1u << 30;  ///< the SLB holds lines of this texel
+  static constexpr std::uint32_t kOverflow = 1u
+                                             << 31;  ///< capacity ran out: only depth and ID count
+
+  std::uint32_t depth = 0;  ///< nearest covering depth; the farthest there is where nothing covers
+  std::uint32_t tag = kNoId;  ///< ID of what covers, and flags
+
+  std::uint32_t id() const { return tag & kNoId; }
+  bool edge() const { return (tag & kEdge) != 0; }
+  bool overflow() const { return (tag & kOverflow) != 0; }
+  void set_edge(bool on) { tag = on ? tag | kEdge : tag & ~kEdge; }
+  void set_overflow() { tag |= kOverflow; }
+  /// Keeps the nearer depth and its ID.
+  void cover(std::uint32_t new_depth, std::uint32_t new_id) {
+    if (new_depth >= depth) return;
+    depth = new_depth;
+    tag = (tag & ~kNoId) | new_id;
+  }
 };
 
 class TexelBuffers {
  public:
-  static constexpr std::uint32_t kNoId = (1u << 30) - 1;
-
   void clear(std::uint32_t width, std::uint32_t height, std::uint32_t farthest) {
     width_ = width;
     height_ = height;
-    Texel empty{};
-    empty.depth = farthest;
-    empty.id = kNoId;
-    empty.edge = empty.overflow = 0;
-    texels_.assign(std::size_t{width} * height, empty);
+    texels_.assign(std::size_t{width} * height, Texel{farthest, Texel::kNoId});
   }
 
   std::uint32_t width() const { return width_; }
@@ -36,13 +45,6 @@ class TexelBuffers {
   std::uint32_t index(std::uint32_t x, std::uint32_t y) const { return y * width_ + x; }
   Texel& operator[](std::uint32_t index) { return texels_[index]; }
   const Texel& operator[](std::uint32_t index) const { return texels_[index]; }
-  /// Keeps the nearer depth and its ID.
-  static void write(Texel& texel, std::uint32_t depth, std::uint32_t id) {
-    if (depth < texel.depth) {
-      texel.depth = depth;
-      texel.id = id;
-    }
-  }
 
  private:
   std::uint32_t width_ = 0, height_ = 0;

@@ -14,6 +14,9 @@ class UserError : public std::runtime_error {
   /// @param mend   what to do about it
   UserError(const std::string& where, const std::string& what, const std::string& mend)
       : std::runtime_error(where + ": " + what + "; " + mend) {}
+  /// The same error seen from farther out: `place` is the file and line that held the value.
+  UserError(const std::string& place, const UserError& inner)
+      : std::runtime_error(place + ": " + inner.what()) {}
 };
 
 }  // namespace kagesen

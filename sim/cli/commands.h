@@ -1,0 +1,13 @@
+#pragma once
+/// The subcommands: each adds itself, its options and what it does.
+#include <CLI/CLI.hpp>
+
+namespace kagesen {
+
+void add_run(CLI::App& app);
+void add_scenes(CLI::App& app);
+void add_config(CLI::App& app);
+void add_trace(CLI::App& app);
+void add_results(CLI::App& app);
+
+}  // namespace kagesen

@@ -1,0 +1,147 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "sim/cli/results/page.h"
+#include "sim/report/table.h"
+
+namespace kagesen {
+namespace {
+
+/// All scenes together at one scale and width.
+struct Total {
+  std::uint64_t judged = 0, wrong = 0, plain = 0, plain_equal = 0, beyond = 0;
+  std::uint64_t false_lit = 0, false_dark = 0;
+  std::array<std::uint64_t, kCauseCount> causes{};
+  std::uint64_t cause(Cause c) const { return causes[static_cast<std::size_t>(c)]; }
+};
+
+Total total(const std::vector<SceneResults>& results, unsigned scale, unsigned bits) {
+  Total t;
+  for (const SceneResults& scene : results) {
+    const Measurement& m = scene.at(scale, bits);
+    t.judged += m.paper.judged;
+    t.wrong += m.paper.wrong;
+    t.plain += m.plain_same_side.wrong;
+    t.plain_equal += m.plain_equal_bytes.wrong;
+    t.beyond += m.paper.beyond_bound;
+    t.false_lit += m.paper.false_lit;
+    t.false_dark += m.paper.false_dark;
+    for (std::size_t i = 0; i < kCauseCount; ++i) t.causes[i] += m.paper.causes[i];
+  }
+  return t;
+}
+
+std::string largest_cause(const Total& t) {
+  const auto largest = std::max_element(t.causes.begin() + 1, t.causes.end());
+  if (*largest == 0) return "-";
+  return fmt::format("{} ({:.0f} %)",
+                     cause_name(static_cast<Cause>(largest - t.causes.begin())),
+                     100.0 * double(*largest) / double(t.wrong));
+}
+
+double ratio(std::uint64_t a, std::uint64_t b) { return double(a) / double(std::max<std::uint64_t>(b, 1)); }
+
+std::string totals_table(const std::vector<SceneResults>& results,
+                         const std::vector<unsigned>& scales) {
+  std::string text =
+      "\n| scale | judged | 8 bits: wrong | of them false dark | largest cause | 4 bits: wrong | "
+      "largest cause | plain, same side | plain, equal bytes (8 bits) |\n"
+      "|--:|--:|--:|--:|:--|--:|:--|--:|--:|\n";
+  for (const unsigned scale : scales) {
+    const Total eight = total(results, scale, 8), four = total(results, scale, 4);
+    text += fmt::format("| {0} x {0} | {1} | {2} | {3} | {4} | {5} | {6} | {7} | {8} |\n", scale,
+                        grouped(eight.judged), grouped(eight.wrong), grouped(eight.false_dark),
+                        largest_cause(eight), grouped(four.wrong), largest_cause(four),
+                        grouped(eight.plain), grouped(eight.plain_equal));
+  }
+  return text;
+}
+
+bool has(const std::vector<unsigned>& scales, std::initializer_list<unsigned> wanted) {
+  return std::all_of(wanted.begin(), wanted.end(), [&](unsigned scale) {
+    return std::find(scales.begin(), scales.end(), scale) != scales.end();
+  });
+}
+
+/// "4-bit edges chip at 16 x 16, and more bits mend it."
+std::string chipping(const std::vector<SceneResults>& results) {
+  const Total eight = total(results, 16, 8), four = total(results, 16, 4);
+  const double quantised = ratio(four.cause(Cause::kQuantisation), four.wrong);
+  const bool agrees = ratio(four.wrong, eight.wrong) >= 1.5 && quantised >= 0.25;
+  return fmt::format(
+      "- *Edges of 4 bits chip at 16 x 16; more bits mend it.* {}: at 16 x 16, 4 bits leave {} wrong "
+      "fragments and 8 bits {} ({:.1f} times fewer). Of the 4-bit ones {:.0f} % are "
+      "quantisation; the rest has other causes, which no number of bits mends.\n",
+      agrees ? "Agrees" : "Does not agree", grouped(four.wrong), grouped(eight.wrong),
+      ratio(four.wrong, eight.wrong), 100 * quantised);
+}
+
+/// "8 bits are nearly constant up to 64 x 64."
+std::string constancy(const std::vector<SceneResults>& results) {
+  const Total one = total(results, 1, 8), sixteen = total(results, 16, 8),
+              sixty_four = total(results, 64, 8);
+  const double growth = ratio(sixty_four.wrong, one.wrong);
+  const double share = 100 * ratio(sixty_four.wrong, sixty_four.judged);
+  return fmt::format(
+      "- *8 bits stay nearly constant up to 64 x 64.* {}: wrong fragments grow from {} at 1 x 1 "
+      "through {} at 16 x 16 to {} at 64 x 64, {:.0f} times, to {:.2f} % of what was judged. At "
+      "64 x 64 quantisation causes {:.0f} % of them; the largest cause is {}, because a texel that "
+      "wide holds several lines and their ends.\n",
+      growth <= 4 ? "Agrees" : "Does not agree", grouped(one.wrong), grouped(sixteen.wrong),
+      grouped(sixty_four.wrong), growth, share,
+      100 * ratio(sixty_four.cause(Cause::kQuantisation), sixty_four.wrong),
+      largest_cause(sixty_four));
+}
+
+/// "Black lines from 256 x 256, because an entry has one depth."
+std::string dark_lines(const std::vector<SceneResults>& results) {
+  const Total before = total(results, 64, 8), at = total(results, 256, 8);
+  const std::uint64_t depth = at.cause(Cause::kDepth) + at.cause(Cause::kHiddenRemoval);
+  const bool agrees = at.false_dark > 2 * before.false_dark && depth > 0;
+  return fmt::format(
+      "- *Dark lines appear from 256 x 256, because an entry holds one depth.* {}: false dark "
+      "fragments go from {} at 64 x 64 to {} at 256 x 256 (false lit: {} to {}). The depth and the "
+      "removal of hidden lines cause {:.0f} % of the wrong ones there; the largest cause is {}.\n",
+      agrees ? "Agrees" : "Does not agree", grouped(before.false_dark), grouped(at.false_dark),
+      grouped(before.false_lit), grouped(at.false_lit), 100 * ratio(depth, at.wrong),
+      largest_cause(at));
+}
+
+/// Where the unit stops being better than a plain map of its own side.
+std::string crossing(const std::vector<SceneResults>& results,
+                     const std::vector<unsigned>& scales) {
+  std::string better, worse;
+  for (const unsigned scale : scales) {
+    const Total t = total(results, scale, 8);
+    std::string& list = t.wrong <= t.plain ? better : worse;
+    list += fmt::format("{}{} ({:.2f})", list.empty() ? "" : ", ", scale, ratio(t.wrong, t.plain));
+  }
+  return fmt::format(
+      "- *As good as 65,536 times the texels.* Wrong fragments of 8 bits as a share of those of a "
+      "plain map of the same side: {}{}{}. The equivalent side of each scene stands in its table.\n",
+      better.empty() ? "" : "fewer at scale " + better,
+      better.empty() || worse.empty() ? "" : "; more at scale ", worse);
+}
+
+}  // namespace
+
+std::string findings_section(const std::vector<SceneResults>& results,
+                             const std::vector<unsigned>& scales) {
+  std::string text = "\n## What the paper says of its pictures, and what we measure\n\n"
+                     "All scenes together:\n";
+  text += totals_table(results, scales) + "\n";
+  if (has(scales, {16})) text += chipping(results);
+  if (has(scales, {1, 16, 64})) text += constancy(results);
+  if (has(scales, {64, 256})) text += dark_lines(results);
+  text += crossing(results, scales);
+  std::uint64_t other = 0;
+  for (const unsigned scale : scales) {
+    for (const unsigned bits : {4u, 8u}) other += total(results, scale, bits).cause(Cause::kOther);
+  }
+  text += fmt::format("- Fragments without a known cause, all scenes, scales and widths: {}.\n", other);
+  return text;
+}
+
+}  // namespace kagesen

@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+
+#include "sim/cli/commands.h"
+#include "sim/cli/input.h"
+#include "sim/cli/progress.h"
+#include "sim/cli/simulate.h"
+#include "sim/cli/stopwatch.h"
+#include "sim/report/json.h"
+#include "sim/report/outputs.h"
+#include "sim/report/pictures.h"
+#include "sim/report/table.h"
+#include "sim/report/verdicts.h"
+
+namespace kagesen {
+namespace {
+
+struct RunOptions {
+  InputOptions input;
+  SettingsOptions settings;
+  SimulateOptions simulate;
+  std::string folder = "out", json, verdicts;
+  bool no_reference = false, no_images = false;
+};
+
+void run(RunOptions& options) {
+  const bool json_to_stdout = options.json == "-";
+  Progress progress(!json_to_stdout);
+  options.simulate.reference = !options.no_reference;
+  options.simulate.progress = progress.callback();
+  Settings settings = load_settings(options.settings);
+  make_engine(options.simulate.engine);  // refuses an unknown one before any work
+
+  // Every place is opened before the work, so that a bad one costs no time.
+  Outputs outputs;
+  outputs.make_folder(options.folder);
+  std::ostream& report = outputs.open(options.folder + "/report.json");
+  std::ostream* json = options.json.empty() || json_to_stdout ? nullptr : &outputs.open(options.json);
+  std::ostream* verdicts = options.verdicts.empty() ? nullptr : &outputs.open(options.verdicts);
+
+  Stopwatch watch;
+  const Source source = resolve_input(options.input);
+  const Trace trace = load_trace(source, options.input, settings, options.simulate.progress);
+  const double load_s = watch.lap();
+  RunResult result = simulate(trace, settings.config, options.simulate);
+  result.stages_s.insert(result.stages_s.begin(), {"input", load_s});
+
+  watch.lap();
+  if (!options.no_images) {
+    progress.update("writing pictures", 0);
+    write_pictures(trace, result, options.folder, outputs);
+    result.stages_s.emplace_back("pictures", watch.lap());
+  }
+  if (verdicts) {
+    write_verdicts(trace, result, *verdicts);
+    result.stages_s.emplace_back("verdicts", watch.lap());
+  }
+  const std::string text = report_json(trace, result).dump(2) + "\n";
+  report << text;
+  if (json) *json << text;
+  outputs.commit();
+  progress.clear();
+  std::cout << (json_to_stdout ? text : report_table(trace, result, outputs.names()));
+}
+
+}  // namespace
+
+void add_run(CLI::App& app) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App& command = *app.add_subcommand(
+      "run", "Decides the shadows of a frame as the unit would, and judges every verdict");
+  add_input_options(command, options->input);
+  add_settings_options(command, options->settings);
+  command.add_option("--engine", options->simulate.engine, "What decides: golden")
+      ->type_name("NAME")
+      ->capture_default_str()
+      ->group("Unit");
+  command.add_option("--out", options->folder, "Folder for the pictures and report.json")
+      ->type_name("DIR")
+      ->capture_default_str()
+      ->group("Output");
+  command.add_option("--json", options->json, "The report here too; - prints it and nothing else")
+      ->type_name("FILE|-")
+      ->group("Output");
+  command.add_option("--verdicts", options->verdicts, "A line for every fragment, as text")
+      ->type_name("FILE")
+      ->group("Output");
+  command.add_flag("--no-images", options->no_images, "No pictures")->group("Output");
+  command.add_flag("--no-reference", options->no_reference,
+                   "Does not hold the verdicts against the exact ones")
+      ->group("Output");
+  command.footer(
+      "Examples:\n"
+      "  kagesen run                                    the default scene\n"
+      "  kagesen run model.glb --scale 16 --set slope_bits=4 --set fraction_bits=4\n"
+      "  kagesen run frame.trace --json - --no-images   only the figures, for a script");
+  command.callback([options] { run(*options); });
+}
+
+}  // namespace kagesen

@@ -1,0 +1,150 @@
+#include "sim/report/json.h"
+
+namespace kagesen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json input_json(const Trace& trace, const RunResult& result) {
+  const TraceHeader& header = trace.header;
+  const Summary summary = summarise(trace, result);
+  return {{"name", header.source},
+          {"sha256", header.source_sha256},
+          {"triangles", summary.triangles},
+          {"fragments", summary.fragments},
+          {"objects", summary.objects},
+          {"closed_objects", summary.closed_objects},
+          {"receivers", summary.receivers},
+          {"casters", summary.casters},
+          {"light", header.light},
+          {"scale", {header.scale_x, header.scale_y}},
+          {"fraction_bits", header.fraction_bits},
+          {"image", {{"width", header.image_width}, {"height", header.image_height}}}};
+}
+
+Json error_json(const ErrorFigures& figures) {
+  Json causes = Json::object();
+  for (std::size_t i = 1; i < kCauseCount; ++i) {
+    causes[cause_name(static_cast<Cause>(i))] = figures.causes[i];
+  }
+  Json json = {{"judged", figures.judged},
+               {"wrong", figures.wrong},
+               {"false_lit", figures.false_lit},
+               {"false_dark", figures.false_dark},
+               {"rate", figures.rate()},
+               {"band", figures.band},
+               {"band_wrong", figures.band_wrong},
+               {"band_rate", figures.band_rate()}};
+  // The distance of no fragments has neither a mean nor a maximum.
+  if (figures.wrong > 0) {
+    json["displacement_texels"] = {{"mean", figures.displacement_mean},
+                                   {"p99", figures.displacement_p99},
+                                   {"max", figures.displacement_max},
+                                   {"capped", figures.displacement_capped}};
+  }
+  json["beyond_bound"] = figures.beyond_bound;
+  json["causes"] = causes;
+  return json;
+}
+
+Json plain_json(const PlainFigures& plain) {
+  return {{"side", plain.side},
+          {"bytes", plain.bytes},
+          {"wrong", plain.wrong},
+          {"band_wrong", plain.band_wrong}};
+}
+
+Json judgement_json(const Judgement& judgement) {
+  Json json = {{"paper", error_json(judgement.paper)},
+               {"physical", error_json(judgement.physical)}};
+  const EquivalentResolution& equivalent = judgement.equivalent_resolution;
+  if (equivalent.side > 0) {
+    json["equivalent_resolution"] = {{"side", equivalent.side}, {"at_least", equivalent.at_least}};
+  }
+  if (judgement.plain_same_side.side > 0) {
+    json["plain"] = {{"same_side", plain_json(judgement.plain_same_side)},
+                     {"equal_bytes", plain_json(judgement.plain_equal_bytes)}};
+  }
+  return json;
+}
+
+Json slb_json(const UnitCounters& counters) {
+  return {{"texels", counters.slb_texels},
+          {"lines", counters.slb_lines},
+          {"payload_bytes", counters.payload_bytes},
+          {"allocated_bytes", counters.allocated_bytes},
+          {"entries", counters.slb_entries},
+          {"peak_entries", counters.peak_entries},
+          {"max_chain", counters.max_chain},
+          {"chain_histogram", counters.chain_histogram},
+          {"overflow", {{"lines", counters.overflow_lines}, {"texels", counters.overflow_texels}}}};
+}
+
+Json counters_json(const UnitCounters& c) {
+  return {{"casters", c.casters},
+          {"edges", c.edges},
+          {"edge_texels", c.edge_texels},
+          {"span_texels", c.span_texels},
+          {"lines_stored", c.lines_stored},
+          {"lines_cancelled", c.lines_cancelled},
+          {"lines_hidden", c.lines_hidden},
+          {"emptied_covered", c.emptied_covered},
+          {"collisions", c.collisions},
+          {"fragments", c.fragments},
+          {"averted", c.averted},
+          {"outside", c.outside},
+          {"dark_by_buffer", c.dark_by_buffer},
+          {"dark_by_lines", c.dark_by_lines},
+          {"lit", c.lit},
+          {"slb_lookups", c.slb_lookups},
+          {"entries_read", c.entries_read},
+          {"lines_read", c.lines_read},
+          {"aliased_objects", c.aliased_objects}};
+}
+
+}  // namespace
+
+nlohmann::ordered_json config_json(const UnitConfig& config) {
+  Json json = Json::object();
+  for (const ConfigField& field : config_fields()) {
+    const std::string value = get_field(config, field.key);
+    if (field.choices.empty()) {
+      json[field.key] = std::stoll(value);
+    } else if (value == "true" || value == "false") {
+      json[field.key] = value == "true";
+    } else {
+      json[field.key] = value;
+    }
+  }
+  return json;
+}
+
+nlohmann::ordered_json report_json(const Trace& trace, const RunResult& result) {
+  const Summary summary = summarise(trace, result);
+  Json json = {{"schema_version", kReportSchemaVersion},
+               {"input", input_json(trace, result)},
+               {"seeds", {{"scene", trace.header.seed}}},
+               {"config", config_json(result.config)},
+               {"engine", result.engine},
+               {"verdict",
+                {{"fragments", summary.fragments}, {"dark", summary.dark}, {"lit", summary.lit}}}};
+  if (result.judgement) json["error"] = judgement_json(*result.judgement);
+  if (result.scene_exact) {
+    json["scene_exact"] = {{"compared", result.scene_exact->compared},
+                           {"trace_differs", result.scene_exact->trace_differs},
+                           {"unit_differs", result.scene_exact->unit_differs}};
+  }
+  json["slb"] = slb_json(result.counters);
+  json["map"] = {{"width", result.contents.width},
+                 {"height", result.contents.height},
+                 {"bytes", result.counters.map_bytes}};
+  json["counters"] = counters_json(result.counters);
+  json["warnings"] = result.warnings;
+  json["time_s"] = result.time_s();
+  Json stages = Json::object();
+  for (const auto& [name, seconds] : result.stages_s) stages[name] = seconds;
+  json["stages_s"] = stages;
+  return json;
+}
+
+}  // namespace kagesen

@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/report/encode.h"
+#include "sim/report/palette.h"
+#include "sim/report/pictures.h"
+#include "sim/report/table.h"
+
+namespace kagesen {
+namespace {
+
+std::vector<std::uint32_t> lines_per_texel(const MapContents& contents) {
+  std::vector<std::uint32_t> lines(std::size_t(contents.width) * contents.height, 0);
+  for (const TexelEntry& entry : contents.entries) {
+    lines[std::size_t(entry.texel_y) * contents.width + entry.texel_x] +=
+        static_cast<std::uint32_t>(entry.lines.size());
+  }
+  return lines;
+}
+
+/// Where a count stands between 1 and the largest, by ratio.
+double heat(std::uint32_t lines, std::uint32_t largest) {
+  return largest > 1 ? std::log(double(lines)) / std::log(double(largest)) : 0.0;
+}
+
+void draw_scale(Canvas& picture, int top, std::uint32_t largest, int scale) {
+  const Rgb ink{235, 235, 235};
+  const int margin = 6 * scale, bar = std::max(1, picture.width() - 2 * margin);
+  picture.text(margin, top + 4 * scale, "lines a texel", ink, scale);
+  for (int x = 0; x < bar; ++x) {
+    picture.rectangle(margin + x, top + 15 * scale, 1, 8 * scale, heat_colour(double(x) / bar));
+  }
+  int free_from = 0;
+  std::vector<std::uint32_t> marks{1};
+  for (std::uint32_t mark = 3; mark < largest; mark *= 3) marks.push_back(mark);
+  if (largest > 1) marks.push_back(largest);
+  for (const std::uint32_t mark : marks) {
+    const std::string words = grouped(mark);
+    const int wide = Canvas::text_width(words, scale);
+    const int x = std::min(margin + int(heat(mark, largest) * bar), picture.width() - wide);
+    if (x < free_from) continue;
+    picture.text(x, top + 26 * scale, words, ink, scale);
+    free_from = x + wide + 4 * scale;
+  }
+}
+
+}  // namespace
+
+Canvas lines_picture(const MapContents& contents) {
+  const int width = static_cast<int>(contents.width), height = static_cast<int>(contents.height);
+  const std::vector<std::uint32_t> lines = lines_per_texel(contents);
+  const std::uint32_t largest = lines.empty() ? 0 : *std::max_element(lines.begin(), lines.end());
+  std::uint32_t nearest = 0xffffffffu, farthest = 0;
+  for (std::size_t i = 0; i < contents.depth.size(); ++i) {
+    if (contents.object[i] == kNoObject) continue;
+    nearest = std::min(nearest, contents.depth[i]);
+    farthest = std::max(farthest, contents.depth[i]);
+  }
+  const double range = farthest > nearest ? double(farthest) - nearest : 1.0;
+
+  Canvas map(width, height, {14, 14, 18});
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const std::size_t i = std::size_t(y) * contents.width + x;
+      if (lines[i] > 0) {
+        map.set(x, y, heat_colour(0.15 + 0.85 * heat(lines[i], largest)));
+      } else if (contents.object[i] != kNoObject) {
+        map.set(x, y, mix({110, 118, 130}, {40, 44, 52}, (contents.depth[i] - nearest) / range));
+      }
+    }
+  }
+  constexpr int kSmall = 512;
+  const Canvas enlarged = map.enlarged(std::max(1, kSmall / std::max(width, height)));
+  const int scale = enlarged.width() >= 960 ? 2 : 1;
+  Canvas picture(enlarged.width(), enlarged.height() + 38 * scale, {24, 24, 28});
+  for (int y = 0; y < enlarged.height(); ++y) {
+    for (int x = 0; x < enlarged.width(); ++x) picture.set(x, y, enlarged.get(x, y));
+  }
+  draw_scale(picture, enlarged.height(), largest, scale);
+  return picture;
+}
+
+std::string map_exr(const MapContents& contents) {
+  const std::size_t texels = std::size_t(contents.width) * contents.height;
+  std::vector<Channel> channels;
+  for (const char* name : {"depth", "object", "lines", "entries", "overflowed"}) {
+    channels.push_back({name, std::vector<float>(texels, 0.0f)});
+  }
+  const std::vector<std::uint32_t> lines = lines_per_texel(contents);
+  for (std::size_t i = 0; i < texels; ++i) {
+    const bool written = contents.object[i] != kNoObject;
+    channels[0].values[i] = written ? float(contents.depth[i]) : -1.0f;
+    channels[1].values[i] = written ? float(contents.object[i]) : -1.0f;
+    channels[2].values[i] = float(lines[i]);
+    channels[4].values[i] = float(contents.overflowed[i]);
+  }
+  for (const TexelEntry& entry : contents.entries) {
+    channels[3].values[std::size_t(entry.texel_y) * contents.width + entry.texel_x] += 1.0f;
+  }
+  return encode_exr(static_cast<int>(contents.width), static_cast<int>(contents.height), channels);
+}
+
+}  // namespace kagesen

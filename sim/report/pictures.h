@@ -1,0 +1,33 @@
+#pragma once
+/// The pictures of a run: the frame shaded, its shadow mask, its errors, and the unit's memory.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/report/canvas.h"
+#include "sim/report/outputs.h"
+#include "sim/report/run_result.h"
+
+namespace kagesen {
+
+/// The frame with the unit's shadows; sky where the camera sees nothing.
+Canvas shaded_picture(const Trace& trace, const std::vector<Verdict>& verdicts);
+/// 255 lit, 0 dark, 128 where the camera sees nothing.
+std::vector<std::uint8_t> mask_values(const Trace& trace, const std::vector<Verdict>& verdicts);
+/// The frame in grey, wrong fragments coloured by cause (paper semantics), and below it a legend.
+/// @param legend  false: the frame alone
+Canvas error_picture(const Trace& trace, const RunResult& result, bool legend = true);
+/// Lines a texel over the depth buffer, and below it the scale. Small maps are enlarged.
+Canvas lines_picture(const MapContents& contents);
+
+/// Multi-channel EXR of the frame; -1 where the camera sees nothing.
+std::string frame_exr(const Trace& trace, const RunResult& result);
+/// Multi-channel EXR of the map; -1 where nothing was written.
+std::string map_exr(const MapContents& contents);
+
+/// All of them as shaded.png, mask.png, errors.png, lines.png, frame.exr and map.exr in `folder`.
+/// A run without the reference has no errors.png, a trace without an image nothing of the frame.
+void write_pictures(const Trace& trace, const RunResult& result, const std::string& folder,
+                    Outputs& outputs);
+
+}  // namespace kagesen

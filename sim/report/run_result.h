@@ -1,0 +1,61 @@
+#pragma once
+/// Everything one run found out: what the table, the JSON and the pictures are made of.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/engine.h"
+#include "model/reference/judge.h"
+#include "model/unit/config.h"
+#include "traces/format/records.h"
+
+namespace kagesen {
+
+/// The end-to-end check: rays against the meshes as they were before snapping.
+struct SceneExactFigures {
+  std::uint64_t compared = 0;  ///< fragments that a ray was sent from
+  std::uint64_t trace_differs = 0;  ///< exact verdict on the trace against the ray's
+  std::uint64_t unit_differs = 0;   ///< the unit's verdict against the ray's
+};
+
+struct RunResult {
+  UnitConfig config;
+  std::string engine;
+  std::vector<Verdict> verdicts;  ///< a fragment each
+  MapContents contents;
+  UnitCounters counters;
+  std::optional<Judgement> judgement;             ///< absent without the reference
+  std::optional<SceneExactFigures> scene_exact;   ///< absent unless asked for
+  std::vector<std::string> warnings;              ///< the trace's own, then the unit's
+  std::vector<std::pair<std::string, double>> stages_s;  ///< wall time of each stage, in order
+
+  double time_s() const {
+    double sum = 0;
+    for (const auto& stage : stages_s) sum += stage.second;
+    return sum;
+  }
+};
+
+/// Figures that follow from the trace and the verdicts alone.
+struct Summary {
+  std::uint64_t triangles = 0, objects = 0, closed_objects = 0, receivers = 0;
+  std::uint64_t casters = 0, fragments = 0, dark = 0, lit = 0;
+};
+inline Summary summarise(const Trace& trace, const RunResult& result) {
+  Summary s;
+  for (const ObjectInfo& object : trace.header.objects) {
+    s.triangles += object.triangles;
+    s.closed_objects += object.closed;
+    s.receivers += !object.caster;
+  }
+  s.objects = trace.header.objects.size();
+  s.casters = trace.all_casters.size();
+  s.fragments = trace.all_fragments.size();
+  for (const Verdict verdict : result.verdicts) s.dark += verdict == Verdict::kDark;
+  s.lit = s.fragments - s.dark;
+  return s;
+}
+
+}  // namespace kagesen

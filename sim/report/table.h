@@ -1,0 +1,21 @@
+#pragma once
+/// The table a person reads at the end of a run: at most 100 columns of plain text.
+#include <string>
+#include <vector>
+
+#include "sim/report/run_result.h"
+
+namespace kagesen {
+
+/// @param files  what was written, named at the end
+std::string report_table(const Trace& trace, const RunResult& result,
+                         const std::vector<std::string>& files);
+
+/// 1234567 -> "1,234,567".
+std::string grouped(std::uint64_t value);
+/// Bytes with a fitting unit: "812 B", "31.4 KB", "4.0 MB"; 1 KB = 1024 bytes, as in the paper.
+std::string bytes_text(std::uint64_t bytes);
+/// A share of fragments as a person compares them: "1 in 12,345", "none".
+std::string one_in(std::uint64_t part, std::uint64_t whole);
+
+}  // namespace kagesen

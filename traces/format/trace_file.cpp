@@ -1,1 +1,0 @@
-#include "traces/format/trace_file.h"

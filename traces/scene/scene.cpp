@@ -1,1 +1,0 @@
-#include "traces/scene/scene.h"
