@@ -166,12 +166,14 @@ TEST(ShadowDecision, Table7EveryRowAsPrinted) {
 TEST(ShadowDecision, Table7EveryRowCorrected) {
   const ShadowDecision decision(with_bits(3));
   for_every_pair([&](int a, int b, const Line& one, const Line& two) {
+    ASSERT_EQ(decision.combine(one, two, false), decision.combine(two, one, false))
+        << kKindNames[a] << ' ' << kKindNames[b] << ' ' << one.slope << ' ' << two.slope;
     // Two outlines that meet have equal L/R iff one ends where the other starts.
     const bool opposite_ends = one.has(Line::kEndHere) != two.has(Line::kEndHere);
     if ((one.has(Line::kLeft) == two.has(Line::kLeft)) != opposite_ends) return;
     bool first = a < b;
     if (a == b) {
-      if (one.slope == two.slope) return;  // one direction: no wedge
+      if (one.slope == two.slope) return;  // no wedge: ParallelLinesCombineByTheirFractions
       // Signed dy/dx grows with Slope for x+ and y-, and falls for y+ and x-.
       const bool grows = a == 0 || a == 2;
       first = (one.slope < two.slope) == grows;
@@ -179,8 +181,33 @@ TEST(ShadowDecision, Table7EveryRowCorrected) {
     EXPECT_EQ(decision.combine(one, two, false),
               evaluate(first ? Exp::kExp1 : Exp::kExp2, one, two))
         << kKindNames[a] << ' ' << kKindNames[b] << ' ' << one.slope << ' ' << two.slope;
-    EXPECT_EQ(decision.combine(one, two, false), decision.combine(two, one, false));
   });
+}
+
+TEST(ShadowDecision, ParallelLinesCombineByTheirFractions) {
+  // x = 1/4 (Left) and x = 3/4 (Right), both starting here: a strip, whichever line comes first.
+  const ShadowDecision decision(with_bits(3));
+  const unsigned up = Line::kXPositive | Line::kStartHere;
+  const Line low = line(up | Line::kLeft, 2), high = line(up, 6);
+  EXPECT_EQ(decision.combine(low, high, true), Combine::kAnd);
+  EXPECT_EQ(decision.combine(high, low, true), Combine::kAnd);
+  const Line low_right = line(up, 2), high_left = line(up | Line::kLeft, 6);
+  EXPECT_EQ(decision.combine(low_right, high_left, true), Combine::kOr);
+  EXPECT_EQ(decision.combine(high_left, low_right, true), Combine::kOr);
+}
+
+TEST(ShadowDecision, LinesThatCannotMeetCombineByTheirFractions) {
+  // Both end here and both are Left: no outline has such a vertex, so Table 7 does not apply.
+  const ShadowDecision decision(with_bits(3));
+  const unsigned end = Line::kXPositive | Line::kLeft | Line::kEndHere;
+  const Line narrow = line(end, 6, 1), wide = line(end, 2, 0);
+  EXPECT_EQ(decision.combine(narrow, wide, true), Combine::kAnd);
+  EXPECT_EQ(decision.combine(wide, narrow, true), Combine::kAnd);
+  // Nor do two edges that both lie wholly here tell where they meet.
+  const Line strip = line(end | Line::kStartHere, 2, 1);
+  const Line other = line((end | Line::kStartHere) & ~unsigned{Line::kLeft}, 6, 0);
+  EXPECT_EQ(decision.combine(strip, other, true), Combine::kAnd);
+  EXPECT_EQ(decision.combine(other, strip, true), Combine::kAnd);
 }
 
 }  // namespace
