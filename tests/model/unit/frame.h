@@ -85,7 +85,7 @@ inline bool operator==(const MapContents& a, const MapContents& b) {
 /// texel's border, and no edge is horizontal or vertical.
 class RandomScene {
  public:
-  RandomScene(unsigned seed, int side, int count = 5, int fragments = 400) : random_(seed) {
+  RandomScene(unsigned seed, int side, int count = 12, int fragments = 800) : random_(seed) {
     for (int object = 0; object < count; ++object) add_octahedron(object, side);
     for (int i = 0; i < fragments; ++i) {
       frame.fragments.push_back(fragment_at(coordinate(side * kTexel / 2),
@@ -105,9 +105,9 @@ class RandomScene {
   }
 
   void add_octahedron(int object, int side) {
-    const std::int32_t radius = kTexel / 2 + static_cast<std::int32_t>(random_() % (3 * kTexel));
+    const std::int32_t radius = kTexel / 2 + static_cast<std::int32_t>(random_() % (4 * kTexel));
     const LightPoint centre{
-        coordinate((side - 6) * kTexel / 2), coordinate((side - 6) * kTexel / 2),
+        coordinate((side - 8) * kTexel / 2), coordinate((side - 8) * kTexel / 2),
         static_cast<std::uint32_t>(1 << 20) + static_cast<std::uint32_t>(random_() % (10u << 20))};
     LightPoint v[6];  // opposite ones: 0 and 1, 2 and 3, 4 and 5
     for (int axis = 0; axis < 3; ++axis) {
