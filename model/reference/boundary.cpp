@@ -50,10 +50,12 @@ void BoundaryFinder::summarise() {
     };
     for (std::uint32_t i = node.covers_begin; i != node.covers_end; ++i) {
       cut(tree_.covers()[i].nearest, tree_.covers()[i].farthest);
+      sum.add_object(tree_.covers()[i].object);
     }
     for (std::uint32_t i = node.refs_begin; i != node.refs_end; ++i) {
       const CasterTree::Ref& ref = tree_.refs()[i];
       cut(ref.nearest, farthest_depth(tree_.casters()[ref.caster]));
+      sum.add_object(tree_.casters()[ref.caster].object);
       if (open_[ref.caster] != 0) sum.open_nearest = std::min(sum.open_nearest, ref.nearest);
     }
     if (node.children == 0) continue;
@@ -62,6 +64,7 @@ void BoundaryFinder::summarise() {
       sum.open_nearest = std::min(sum.open_nearest, child.open_nearest);
       sum.cut_nearest = std::min(sum.cut_nearest, child.cut_nearest);
       sum.cut_farthest = std::max(sum.cut_farthest, child.cut_farthest);
+      sum.add_object(child.object);
     }
   }
 }
@@ -126,7 +129,7 @@ bool BoundaryFinder::visit_segments(const Query& q, double radius, Emit emit) co
   };
   const std::uint32_t z = q.p.z;
   return tree_.visit_box(
-      box, [&](std::uint32_t node) { return summaries_[node].matters(z); },
+      box, [&](std::uint32_t node) { return summaries_[node].matters(q); },
       [&](const CasterTree::Node& node) {
         for (std::uint32_t i = node.covers_begin; i != node.covers_end; ++i) {
           const CasterTree::Cover& cover = tree_.covers()[i];
@@ -150,9 +153,13 @@ bool BoundaryFinder::any_candidate(const Query& q, double radius) const {
   return !visit_segments(q, radius, [](const Segment&) { return false; });
 }
 
+double BoundaryFinder::first_radius(const Query& q) const {
+  return std::ldexp(1.0, tree_.leaf_size(q.p.x, q.p.y));
+}
+
 double BoundaryFinder::distance(const Query& q, bool dark, double limit) const {
   // Rings grow until one holds an answer, so that a far limit costs nothing where shadows are near.
-  double radius = std::ldexp(1.0, tree_.leaf_size(q.p.x, q.p.y));
+  double radius = first_radius(q);
   for (;; radius *= 2) {
     radius = std::min(radius, limit);
     const double found = dark ? dark_distance(q, radius) : lit_distance(q, radius);

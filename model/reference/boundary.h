@@ -5,6 +5,7 @@
 /// triangle whose plane is nearer than z. Its outline consists of pieces of open edges and of the
 /// lines at which a plane passes z. Doubles, relative to the query point; accurate to well below
 /// one unit. Gaps narrower than 1/64 unit count as closed.
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -29,8 +30,22 @@ class BoundaryFinder {
   };
   /// Distance to the outline in units, `limit` if none is nearer. `dark`: the exact verdict.
   double distance(const Query& q, bool dark, double limit) const;
-  /// False if there is no edge and no depth line at all within `radius` units, covered or not.
-  bool any_candidate(const Query& q, double radius) const;
+  /// distance() < radius, faster: most points have no edge near, and a lit one may take the first.
+  /// dark() gives the exact verdict and is called only where there is an edge.
+  template <class Dark>
+  bool within(const Query& q, double radius, Dark dark) const {
+    bool known = false, is_dark = false;
+    for (double ring = first_radius(q);; ring *= 4) {
+      ring = std::min(ring, radius);
+      if (any_candidate(q, ring)) {
+        if (!known) is_dark = dark();
+        known = true;
+        // A lit point sees every candidate; a dark one has to look for what covers them.
+        if (!is_dark || dark_distance(q, ring) < ring) return true;
+      }
+      if (ring >= radius) return false;
+    }
+  }
 
  private:
   struct Vector {
@@ -43,16 +58,27 @@ class BoundaryFinder {
     Vector outward;  ///< unit normal away from the triangle's shadow
     std::uint32_t caster;
   };
+  static constexpr std::uint32_t kNobody = 0xffffffffu, kSeveral = 0xfffffffeu;
   /// What a node and all below it can contribute to an outline.
   struct Summary {
     std::uint32_t open_nearest = 0xffffffffu;  ///< of casters with open edges
     std::uint32_t cut_nearest = 0xffffffffu, cut_farthest = 0;
-    bool matters(std::uint32_t z) const {
-      return open_nearest < z || (cut_nearest < z && z <= cut_farthest);
+    std::uint32_t object = kNobody;  ///< the only one there, kNobody or kSeveral
+
+    void add_object(std::uint32_t o) {
+      if (o != kNobody && o != object) object = object == kNobody ? o : kSeveral;
+    }
+    bool matters(const Query& q) const {
+      if (q.semantics == Semantics::kPaper && object == q.object) return false;
+      return open_nearest < q.p.z || (cut_nearest < q.p.z && q.p.z <= cut_farthest);
     }
   };
 
   void summarise();
+  /// Where searches in growing rings start, units.
+  double first_radius(const Query& q) const;
+  /// False if there is no piece of an outline at all within `radius` units, covered or not.
+  bool any_candidate(const Query& q, double radius) const;
   template <class Emit>
   bool visit_segments(const Query& q, double radius, Emit emit) const;
   template <class Emit>

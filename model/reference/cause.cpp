@@ -159,8 +159,7 @@ Cause CauseFinder::missed_object(const Fragment& f, const Place& at, std::uint32
   }
   const std::uint32_t in_buffer = contents_.object[at.index];
   if (in_buffer == id) return Cause::kDepth;
-  const std::vector<OutlineLine> expected = exact_outline(at, id);
-  if (!expected.empty()) {
+  if (!outline_of(at, id).expected.empty()) {
     const bool hidden = config_.hidden_removal != HiddenRemoval::kOff && in_buffer != kNoObject;
     return hidden ? Cause::kHiddenRemoval : Cause::kCancelling;
   }
@@ -221,33 +220,43 @@ std::vector<CauseFinder::OutlineLine> CauseFinder::exact_outline(const Place& at
   return kept;
 }
 
+const CauseFinder::Outline& CauseFinder::outline_of(const Place& at, std::uint32_t id) const {
+  const auto [it, fresh] = outlines_.try_emplace(std::uint64_t{at.index} << 32 | id);
+  Outline& out = it->second;
+  if (!fresh) return out;
+  out.expected = exact_outline(at, id);
+  const TexelEntry* entry = entry_of(at, id);
+  if (entry == nullptr || entry->lines.size() != out.expected.size()) return out;
+  std::vector<OutlineLine> rest = out.expected;
+  for (const LineRecord& record : entry->lines) {
+    const std::uint64_t stored = word(as_line(record));
+    const auto found = std::find_if(rest.begin(), rest.end(),
+                                    [&](const OutlineLine& l) { return word(l.line) == stored; });
+    if (found == rest.end()) return out;
+    out.match.push_back(*found);
+    rest.erase(found);
+  }
+  out.equal = true;
+  return out;
+}
+
 Cause CauseFinder::outline(const Fragment& f, const Place& at, const TexelEntry& entry,
                            bool covered) const {
-  std::vector<OutlineLine> expected = exact_outline(at, entry.object);
-  const std::vector<Line> stored = lines_of(entry);
-  std::vector<const OutlineLine*> match(stored.size(), nullptr);
-  std::vector<bool> used(expected.size(), false);
-  bool equal = stored.size() == expected.size();
-  for (std::size_t i = 0; i < stored.size() && equal; ++i) {
-    for (std::size_t j = 0; j < expected.size() && match[i] == nullptr; ++j) {
-      if (used[j] || word(stored[i]) != word(expected[j].line)) continue;
-      match[i] = &expected[j];
-      used[j] = true;
-    }
-    equal = match[i] != nullptr;
-  }
-  if (!equal) {
+  const Outline& exact = outline_of(at, entry.object);
+  if (!exact.equal) {
     const bool hidden =
-        config_.hidden_removal == HiddenRemoval::kCentre && stored.size() < expected.size() &&
-        std::any_of(expected.begin(), expected.end(),
+        config_.hidden_removal == HiddenRemoval::kCentre &&
+        entry.lines.size() < exact.expected.size() &&
+        std::any_of(exact.expected.begin(), exact.expected.end(),
                     [&](const OutlineLine& l) { return contents_.depth[at.index] < l.nearest; });
     return hidden ? Cause::kHiddenRemoval : Cause::kCancelling;
   }
-  const bool exact = decision_.inside_if(
+  const std::vector<Line> stored = lines_of(entry);
+  const bool inside = decision_.inside_if(
       stored.data(), static_cast<std::uint32_t>(stored.size()), entry.vertex, [&](std::uint32_t i) {
-        return holds_exactly(stored[i], match[i]->from, match[i]->to, f.position);
+        return holds_exactly(stored[i], exact.match[i].from, exact.match[i].to, f.position);
       });
-  return exact == covered ? Cause::kQuantisation : Cause::kCombination;
+  return inside == covered ? Cause::kQuantisation : Cause::kCombination;
 }
 
 }  // namespace kagesen

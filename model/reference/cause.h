@@ -1,6 +1,7 @@
 #pragma once
 /// Why a unit's verdict is wrong, found from the final contents of its buffers.
 #include <cstdint>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -43,7 +44,15 @@ class CauseFinder {
   Cause false_dark(const Fragment& f, const Place& at) const;
   Cause false_lit(const Fragment& f, const Place& at) const;
   Cause missed_object(const Fragment& f, const Place& at, std::uint32_t object) const;
+  /// An entry's lines held against its object's exact outline in the texel.
+  struct Outline {
+    std::vector<OutlineLine> expected;
+    bool equal = false;              ///< the stored lines are those of the outline
+    std::vector<OutlineLine> match;  ///< if equal: of each stored line
+  };
+
   Cause outline(const Fragment& f, const Place& at, const TexelEntry& entry, bool covered) const;
+  const Outline& outline_of(const Place& at, std::uint32_t id) const;
   std::vector<OutlineLine> exact_outline(const Place& at, std::uint32_t id) const;
   bool inside(const TexelEntry& entry, const unit::SubTexel& point) const;
   bool covered(const Fragment& f, std::uint32_t id) const;
@@ -57,7 +66,8 @@ class CauseFinder {
   const MapContents& contents_;
   const ExactReference& reference_;
   unit::ShadowDecision decision_;
-  std::vector<std::vector<std::uint32_t>> objects_of_id_;  // where IDs are shared
+  std::vector<std::vector<std::uint32_t>> objects_of_id_;        // where IDs are shared
+  mutable std::unordered_map<std::uint64_t, Outline> outlines_;  // by texel and ID
 };
 
 }  // namespace kagesen

@@ -131,12 +131,8 @@ double ExactReference::boundary_distance(const LightPoint& p, std::uint32_t obje
 bool ExactReference::near_boundary(const LightPoint& p, std::uint32_t object, Semantics semantics,
                                    double radius) const {
   if (!(radius > 0)) return false;
-  const BoundaryFinder::Query query{p, object, semantics};
-  const BoundaryFinder& finder = impl_->boundary();
-  if (!finder.any_candidate(query, radius)) return false;
-  // A lit point sees every candidate; only a dark one has to look for what covers them.
-  if (!dark(p, object, semantics)) return true;
-  return finder.distance(query, true, radius) < radius;
+  return impl_->boundary().within({p, object, semantics}, radius,
+                                  [&] { return dark(p, object, semantics); });
 }
 
 void ExactReference::casters_in(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1,

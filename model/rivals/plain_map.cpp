@@ -66,9 +66,8 @@ void PlainMap::draw(const Caster& caster) {
       const Weights w = weights_at(caster, columns_[std::size_t(column)], std::int32_t(y));
       const std::uint32_t depth = floor_depth(caster, w);
       Texel& texel = texels_[std::size_t(row * x_.side() + column)];
-      if (depth < texel.depth || texel.object == DepthSample{}.object) {
-        texel = {depth, caster.object};
-      }
+      // At kDepthMax an empty texel stays empty: nothing lies behind it.
+      if (depth < texel.depth) texel = {depth, caster.object};
     }
   }
 }

@@ -8,6 +8,7 @@ void add_run(CLI::App& app);
 void add_scenes(CLI::App& app);
 void add_config(CLI::App& app);
 void add_trace(CLI::App& app);
+void add_gbuffer(CLI::App& app);
 void add_results(CLI::App& app);
 
 }  // namespace kagesen

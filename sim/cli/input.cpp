@@ -36,14 +36,17 @@ ImportOptions import_options(const InputOptions& options) {
   using Ground = ImportOptions::Ground;
   ImportOptions import;
   if (!options.ids.empty()) {
-    import.ids = choose<Ids>(
-        "--ids", options.ids,
-        {{"auto", Ids::kAuto}, {"file", Ids::kFile}, {"components", Ids::kComponents}});
+    import.ids = choose<Ids>("--ids", options.ids, {{"auto", Ids::kAuto}, {"file", Ids::kFile}, {
+                                                      "components",
+                                                      Ids::kComponents
+                                                    }});
   }
   if (!options.ground.empty()) {
-    import.ground =
-        choose<Ground>("--ground", options.ground,
-                       {{"auto", Ground::kAuto}, {"on", Ground::kOn}, {"off", Ground::kOff}});
+    import.ground = choose<Ground>("--ground", options.ground,
+                                   {{"auto", Ground::kAuto},
+                                    {"on", Ground::kOn},
+                                    { "off",
+                                      Ground::kOff }});
   }
   return import;
 }
@@ -247,12 +250,13 @@ void rescale(Trace& trace, const std::string& scale) {
   const std::uint32_t more = static_cast<std::uint32_t>(exponent - 1);
   if (header.fraction_bits + more > kMaxFractionBits || header.scale_x * x > 1024 ||
       header.scale_y * y > 1024) {
-    throw UserError("--scale " + scale,
-                    fmt::format("the trace has scale {:g} x {:g} and {} fraction bits already",
-                                header.scale_x, header.scale_y, header.fraction_bits),
-                    fmt::format("at most scale {}",
-                                1u << (kMaxFractionBits - std::min<std::uint32_t>(
-                                                              header.fraction_bits, kMaxFractionBits))));
+    throw UserError(
+        "--scale " + scale,
+        fmt::format("the trace has scale {:g} x {:g} and {} fraction bits already", header.scale_x,
+                    header.scale_y, header.fraction_bits),
+        fmt::format("at most scale {}",
+                    1u << (kMaxFractionBits -
+                           std::min<std::uint32_t>(header.fraction_bits, kMaxFractionBits))));
   }
   header.fraction_bits += more;
   header.scale_x *= x;

@@ -1,11 +1,12 @@
 /// The kagesen program. Exit status: 0 good, 1 a fault of the program, 2 something the person can
 /// mend, 128 + n ended by signal n.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <exception>
 #include <iostream>
@@ -72,6 +73,7 @@ int run_program(int argc, char** argv) {
   add_scenes(app);
   add_config(app);
   add_trace(app);
+  add_gbuffer(app);
   add_results(app);
   try {
     app.parse(argc, argv);
@@ -81,8 +83,8 @@ int run_program(int argc, char** argv) {
   }
   errno = 0;
   if (!std::cout.flush()) {
-    throw UserError("standard output", std::string("cannot write: ") +
-                                           (errno ? std::strerror(errno) : "write error"),
+    throw UserError("standard output",
+                    std::string("cannot write: ") + (errno ? std::strerror(errno) : "write error"),
                     "make room, or write elsewhere");
   }
   return 0;
@@ -99,6 +101,8 @@ int complain(std::string message, int status) {
 }  // namespace kagesen
 
 int main(int argc, char** argv) {
+  // A limit on the size of files is then a failed write, told like a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
   kagesen::remove_parts_on_interrupt();
   try {
     return kagesen::run_program(argc, argv);

@@ -55,8 +55,7 @@ std::pair<Number, Number> parse_pair(const std::string& option, const std::strin
 std::pair<std::uint32_t, std::uint32_t> parse_size(const std::string& option,
                                                    const std::string& text, std::uint32_t largest) {
   return parse_pair<std::uint32_t>(
-      option, text, largest,
-      fmt::format("WIDTHxHEIGHT with whole numbers from 1 to {}", largest));
+      option, text, largest, fmt::format("WIDTHxHEIGHT with whole numbers from 1 to {}", largest));
 }
 
 std::pair<double, double> parse_scale(const std::string& option, const std::string& text) {

@@ -73,8 +73,7 @@ void add_results(CLI::App& app) {
       ->capture_default_str();
   command.add_option("--scenes", arguments->scenes, "Only these, with commas between them")
       ->type_name("NAME,...")
-      ->delimiter(',')
-      ->expected(1);
+      ->delimiter(',');
   command.add_flag("--quick", arguments->quick, "Small frames and two scales, for a look");
   command.callback([arguments] { write_results(*arguments); });
 }

@@ -37,7 +37,8 @@ void run(RunOptions& options) {
   Outputs outputs;
   outputs.make_folder(options.folder);
   std::ostream& report = outputs.open(options.folder + "/report.json");
-  std::ostream* json = options.json.empty() || json_to_stdout ? nullptr : &outputs.open(options.json);
+  std::ostream* json =
+      options.json.empty() || json_to_stdout ? nullptr : &outputs.open(options.json);
   std::ostream* verdicts = options.verdicts.empty() ? nullptr : &outputs.open(options.verdicts);
 
   Stopwatch watch;
@@ -88,8 +89,9 @@ void add_run(CLI::App& app) {
       ->type_name("FILE")
       ->group("Output");
   command.add_flag("--no-images", options->no_images, "No pictures")->group("Output");
-  command.add_flag("--no-reference", options->no_reference,
-                   "Does not hold the verdicts against the exact ones")
+  command
+      .add_flag("--no-reference", options->no_reference,
+                "Does not hold the verdicts against the exact ones")
       ->group("Output");
   command.footer(
       "Examples:\n"

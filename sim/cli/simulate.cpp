@@ -18,14 +18,14 @@ constexpr std::size_t kPortion = 1u << 18;
 void add_warnings(RunResult& result) {
   const UnitCounters& counters = result.counters;
   if (counters.aliased_objects > 0) {
-    result.warnings.push_back(fmt::format(
-        "{} objects share an ID with another one: {} bits are too few; raise id_bits",
-        counters.aliased_objects, result.config.id_bits));
+    result.warnings.push_back(
+        fmt::format("{} objects share an ID with another one: {} bits are too few; raise id_bits",
+                    counters.aliased_objects, result.config.id_bits));
   }
   if (counters.overflow_texels > 0) {
-    result.warnings.push_back(fmt::format(
-        "{} lines of {} texels found no room; these texels answer as a plain map does",
-        counters.overflow_lines, counters.overflow_texels));
+    result.warnings.push_back(
+        fmt::format("{} lines of {} texels found no room; these texels answer as a plain map does",
+                    counters.overflow_lines, counters.overflow_texels));
   }
 }
 

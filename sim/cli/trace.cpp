@@ -35,9 +35,12 @@ struct Checker : TraceSink {
 
 const char* mode_name(FragmentMode mode) {
   switch (mode) {
-    case FragmentMode::kVisible: return "visible";
-    case FragmentMode::kEarlyZ: return "early-z";
-    case FragmentMode::kAll: return "all";
+    case FragmentMode::kVisible:
+      return "visible";
+    case FragmentMode::kEarlyZ:
+      return "early-z";
+    case FragmentMode::kAll:
+      return "all";
   }
   return "";
 }

@@ -9,7 +9,8 @@ namespace kagesen {
 namespace {
 
 /// Encodes interleaved pixels of `type` into memory.
-std::string encode(const char* name, OIIO::ImageSpec spec, OIIO::TypeDesc type, const void* pixels) {
+std::string encode(const char* name, OIIO::ImageSpec spec, OIIO::TypeDesc type,
+                   const void* pixels) {
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   auto output = OIIO::ImageOutput::create(name, &memory);
@@ -33,16 +34,14 @@ std::string encode_png_grey(int width, int height, const std::vector<std::uint8_
   return encode("picture.png", spec, OIIO::TypeDesc::UINT8, values.data());
 }
 
-std::string encode_exr(int width, int height, const std::vector<Channel>& channels) {
+std::string encode_exr(int width, int height, const std::vector<Channel>& channels, bool half) {
   const std::size_t count = channels.size();
-  OIIO::ImageSpec spec(width, height, static_cast<int>(count), OIIO::TypeDesc::FLOAT);
+  OIIO::ImageSpec spec(width, height, static_cast<int>(count),
+                       half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
   spec.channelnames.clear();
-  spec.channelformats.clear();
-  for (const Channel& channel : channels) {
-    spec.channelnames.push_back(channel.name);
-    spec.channelformats.push_back(channel.half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
-  }
-  spec.attribute("compression", "zips");
+  for (const Channel& channel : channels) spec.channelnames.push_back(channel.name);
+  // Level 1 of 9: labels compress well at any, and a run should not wait for its pictures.
+  spec.attribute("compression", "zips:1");
   const std::size_t pixels = static_cast<std::size_t>(width) * height;
   std::vector<float> interleaved(pixels * count);
   for (std::size_t c = 0; c < count; ++c) {

@@ -15,8 +15,8 @@ std::string encode_png_grey(int width, int height, const std::vector<std::uint8_
 struct Channel {
   std::string name;
   std::vector<float> values;
-  bool half = false;
 };
-std::string encode_exr(int width, int height, const std::vector<Channel>& channels);
+/// @param half  16-bit floats: exact for whole numbers up to 2048, half the size and the time
+std::string encode_exr(int width, int height, const std::vector<Channel>& channels, bool half);
 
 }  // namespace kagesen

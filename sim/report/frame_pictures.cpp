@@ -38,8 +38,8 @@ std::vector<LegendEntry> legend_entries(const ErrorFigures& figures) {
     const auto cause = static_cast<Cause>(i);
     std::string name = cause_name(cause);
     std::replace(name.begin(), name.end(), '_', ' ');
-    entries.push_back({fmt::format("{} {}", name, grouped(figures.causes[i])),
-                       cause_colour(cause)});
+    entries.push_back(
+        {fmt::format("{} {}", name, grouped(figures.causes[i])), cause_colour(cause)});
   }
   return entries;
 }
@@ -81,8 +81,8 @@ Canvas shaded_picture(const Trace& trace, const std::vector<Verdict>& verdicts) 
 }
 
 std::vector<std::uint8_t> mask_values(const Trace& trace, const std::vector<Verdict>& verdicts) {
-  std::vector<std::uint8_t> mask(
-      std::size_t(trace.header.image_width) * trace.header.image_height, 128);
+  std::vector<std::uint8_t> mask(std::size_t(trace.header.image_width) * trace.header.image_height,
+                                 128);
   for_each_visible(trace, [&](std::size_t pixel, std::size_t i) {
     mask[pixel] = verdicts[i] == Verdict::kDark ? 0 : 255;
   });
@@ -107,7 +107,8 @@ Canvas error_picture(const Trace& trace, const RunResult& result, bool legend) {
       picture.set(x, y, {level, level, level});
     }
   }
-  // A halo first, so that a single wrong pixel of a large frame is seen, then the pixels themselves.
+  // A halo first, so that a single wrong pixel of a large frame is seen, then the pixels
+  // themselves.
   for (const bool halo : {true, false}) {
     for_each_visible(trace, [&](std::size_t, std::size_t i) {
       const Cause cause = result.judgement->cause_paper[i];
@@ -138,14 +139,13 @@ std::string frame_exr(const Trace& trace, const RunResult& result) {
   const int height = static_cast<int>(trace.header.image_height);
   const std::size_t pixels = std::size_t(width) * height;
   std::vector<Channel> channels;
-  // Pointers into `channels` are taken only once every channel is there.
   std::vector<std::string> names{"R", "G", "B", "mask", "object"};
   if (result.judgement) {
     names.insert(names.end(), {"exact.paper", "exact.physical", "cause.paper", "cause.physical"});
   }
   for (const std::string& name : names) {
     const bool colour = channels.size() < 3;
-    channels.push_back({name, std::vector<float>(pixels, colour ? 0.0f : -1.0f), name != "object"});
+    channels.push_back({name, std::vector<float>(pixels, colour ? 0.0f : -1.0f)});
   }
   for (int y = 0; y < height; ++y) {
     const Light3 light = sky(double(y) / height);
@@ -166,7 +166,8 @@ std::string frame_exr(const Trace& trace, const RunResult& result) {
     channels[7].values[pixel] = float(result.judgement->cause_paper[i]);
     channels[8].values[pixel] = float(result.judgement->cause_physical[i]);
   });
-  return encode_exr(width, height, channels);
+  constexpr std::size_t kHalfExact = 2048;
+  return encode_exr(width, height, channels, trace.header.objects.size() <= kHalfExact);
 }
 
 }  // namespace kagesen

@@ -27,14 +27,10 @@ Json error_json(const ErrorFigures& figures) {
   for (std::size_t i = 1; i < kCauseCount; ++i) {
     causes[cause_name(static_cast<Cause>(i))] = figures.causes[i];
   }
-  Json json = {{"judged", figures.judged},
-               {"wrong", figures.wrong},
-               {"false_lit", figures.false_lit},
-               {"false_dark", figures.false_dark},
-               {"rate", figures.rate()},
-               {"band", figures.band},
-               {"band_wrong", figures.band_wrong},
-               {"band_rate", figures.band_rate()}};
+  Json json = {{"judged", figures.judged},         {"wrong", figures.wrong},
+               {"false_lit", figures.false_lit},   {"false_dark", figures.false_dark},
+               {"rate", figures.rate()},           {"band", figures.band},
+               {"band_wrong", figures.band_wrong}, {"band_rate", figures.band_rate()}};
   // The distance of no fragments has neither a mean nor a maximum.
   if (figures.wrong > 0) {
     json["displacement_texels"] = {{"mean", figures.displacement_mean},

@@ -1,5 +1,6 @@
 #pragma once
-/// report.json (docs/report.schema.json). Keys are stable; a figure that was not computed is absent.
+/// report.json (docs/report.schema.json). Keys are stable; a figure that was not computed is
+/// absent.
 #include <nlohmann/json.hpp>
 
 #include "sim/report/run_result.h"

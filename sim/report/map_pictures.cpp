@@ -25,12 +25,15 @@ double heat(std::uint32_t lines, std::uint32_t largest) {
   return largest > 1 ? std::log(double(lines)) / std::log(double(largest)) : 0.0;
 }
 
+/// One line is bright enough already to be seen on the depth buffer.
+Rgb line_colour(double t) { return heat_colour(0.4 + 0.6 * t); }
+
 void draw_scale(Canvas& picture, int top, std::uint32_t largest, int scale) {
   const Rgb ink{235, 235, 235};
   const int margin = 6 * scale, bar = std::max(1, picture.width() - 2 * margin);
   picture.text(margin, top + 4 * scale, "lines a texel", ink, scale);
   for (int x = 0; x < bar; ++x) {
-    picture.rectangle(margin + x, top + 15 * scale, 1, 8 * scale, heat_colour(double(x) / bar));
+    picture.rectangle(margin + x, top + 15 * scale, 1, 8 * scale, line_colour(double(x) / bar));
   }
   int free_from = 0;
   std::vector<std::uint32_t> marks{1};
@@ -65,7 +68,7 @@ Canvas lines_picture(const MapContents& contents) {
     for (int x = 0; x < width; ++x) {
       const std::size_t i = std::size_t(y) * contents.width + x;
       if (lines[i] > 0) {
-        map.set(x, y, heat_colour(0.15 + 0.85 * heat(lines[i], largest)));
+        map.set(x, y, line_colour(heat(lines[i], largest)));
       } else if (contents.object[i] != kNoObject) {
         map.set(x, y, mix({110, 118, 130}, {40, 44, 52}, (contents.depth[i] - nearest) / range));
       }
@@ -99,7 +102,8 @@ std::string map_exr(const MapContents& contents) {
   for (const TexelEntry& entry : contents.entries) {
     channels[3].values[std::size_t(entry.texel_y) * contents.width + entry.texel_x] += 1.0f;
   }
-  return encode_exr(static_cast<int>(contents.width), static_cast<int>(contents.height), channels);
+  return encode_exr(static_cast<int>(contents.width), static_cast<int>(contents.height), channels,
+                    /*half=*/false);
 }
 
 }  // namespace kagesen

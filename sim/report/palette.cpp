@@ -62,22 +62,35 @@ Light3 sky(double height) {
 
 Rgb cause_colour(Cause cause) {
   switch (cause) {
-    case Cause::kNone: return {120, 120, 120};
-    case Cause::kQuantisation: return {255, 176, 0};
-    case Cause::kIdRule: return {220, 38, 127};
-    case Cause::kDepth: return {100, 143, 255};
-    case Cause::kCombination: return {254, 97, 0};
-    case Cause::kCancelling: return {150, 110, 255};
-    case Cause::kHiddenRemoval: return {0, 200, 150};
-    case Cause::kCapacity: return {255, 255, 255};
-    case Cause::kOther: return {255, 0, 0};
+    case Cause::kNone:
+      return {120, 120, 120};
+    case Cause::kQuantisation:
+      return {255, 176, 0};
+    case Cause::kIdRule:
+      return {220, 38, 127};
+    case Cause::kDepth:
+      return {100, 143, 255};
+    case Cause::kCombination:
+      return {254, 97, 0};
+    case Cause::kCancelling:
+      return {150, 110, 255};
+    case Cause::kHiddenRemoval:
+      return {0, 200, 150};
+    case Cause::kCapacity:
+      return {255, 255, 255};
+    case Cause::kOther:
+      return {255, 0, 0};
   }
   return {};
 }
 
 Rgb heat_colour(double t) {
-  static constexpr std::array<Rgb, 6> kStops{
-      {{58, 28, 110}, {120, 28, 109}, {188, 55, 84}, {237, 105, 37}, {251, 180, 26}, {252, 255, 190}}};
+  static constexpr std::array<Rgb, 6> kStops{{{58, 28, 110},
+                                              {120, 28, 109},
+                                              {188, 55, 84},
+                                              {237, 105, 37},
+                                              {251, 180, 26},
+                                              {252, 255, 190}}};
   const double at = std::clamp(t, 0.0, 1.0) * (kStops.size() - 1);
   const std::size_t stop = std::min<std::size_t>(static_cast<std::size_t>(at), kStops.size() - 2);
   return mix(kStops[stop], kStops[stop + 1], at - double(stop));

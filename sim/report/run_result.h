@@ -15,7 +15,7 @@ namespace kagesen {
 
 /// The end-to-end check: rays against the meshes as they were before snapping.
 struct SceneExactFigures {
-  std::uint64_t compared = 0;  ///< fragments that a ray was sent from
+  std::uint64_t compared = 0;       ///< fragments that a ray was sent from
   std::uint64_t trace_differs = 0;  ///< exact verdict on the trace against the ray's
   std::uint64_t unit_differs = 0;   ///< the unit's verdict against the ray's
 };
@@ -26,9 +26,9 @@ struct RunResult {
   std::vector<Verdict> verdicts;  ///< a fragment each
   MapContents contents;
   UnitCounters counters;
-  std::optional<Judgement> judgement;             ///< absent without the reference
-  std::optional<SceneExactFigures> scene_exact;   ///< absent unless asked for
-  std::vector<std::string> warnings;              ///< the trace's own, then the unit's
+  std::optional<Judgement> judgement;                    ///< absent without the reference
+  std::optional<SceneExactFigures> scene_exact;          ///< absent unless asked for
+  std::vector<std::string> warnings;                     ///< the trace's own, then the unit's
   std::vector<std::pair<std::string, double>> stages_s;  ///< wall time of each stage, in order
 
   double time_s() const {

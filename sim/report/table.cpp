@@ -22,7 +22,7 @@ class Rows {
 
 std::string displacement(const ErrorFigures& e) {
   if (e.wrong == 0) return "-";
-  return fmt::format("{:.3f} / {:.3f} / {}{:.3f}", e.displacement_mean, e.displacement_p99,
+  return fmt::format("{:.3g} / {:.3g} / {}{:.3g}", e.displacement_mean, e.displacement_p99,
                      e.displacement_capped ? ">" : "", e.displacement_max);
 }
 
@@ -76,8 +76,8 @@ std::string chain_text(const UnitCounters& counters) {
   for (std::size_t n = 1; n < counters.chain_histogram.size(); ++n) {
     if (counters.chain_histogram[n] == 0) continue;
     if (text.size() > 60) return text + ", ...";
-    text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", n,
-                        grouped(counters.chain_histogram[n]));
+    text +=
+        fmt::format("{}{}: {}", text.empty() ? "" : ", ", n, grouped(counters.chain_histogram[n]));
   }
   return text.empty() ? "none" : text;
 }
@@ -126,17 +126,17 @@ std::string report_table(const Trace& trace, const RunResult& result,
                                  result.config.fraction_bits, result.config.slope_bits));
 
   rows.heading("Silhouette line buffer");
-  rows.add("texels", fmt::format("{} of {} ({})", grouped(counters.slb_texels),
-                                 grouped(std::uint64_t(result.contents.width) *
-                                         result.contents.height),
-                                 percent(counters.slb_texels, std::uint64_t(result.contents.width) *
-                                                                  result.contents.height)));
+  rows.add("texels",
+           fmt::format("{} of {} ({})", grouped(counters.slb_texels),
+                       grouped(std::uint64_t(result.contents.width) * result.contents.height),
+                       percent(counters.slb_texels,
+                               std::uint64_t(result.contents.width) * result.contents.height)));
   rows.add("lines", fmt::format("{} in {} entries", grouped(counters.slb_lines),
                                 grouped(counters.slb_entries)));
   rows.add("memory", fmt::format("{} payload, {} allocated", bytes_text(counters.payload_bytes),
                                  bytes_text(counters.allocated_bytes)));
-  rows.add("entries a texel", fmt::format("{} (longest {})", chain_text(counters),
-                                          counters.max_chain));
+  rows.add("entries a texel",
+           fmt::format("{} (longest {})", chain_text(counters), counters.max_chain));
   if (counters.overflow_texels > 0) {
     rows.add("overflow", fmt::format("{} lines in {} texels", grouped(counters.overflow_lines),
                                      grouped(counters.overflow_texels)));

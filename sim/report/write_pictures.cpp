@@ -17,12 +17,11 @@ void write_pictures(const Trace& trace, const RunResult& result, const std::stri
   const int height = static_cast<int>(trace.header.image_height);
   std::vector<Picture> pictures;
   if (width > 0 && height > 0) {
-    pictures.push_back({"shaded.png", [&] {
-                          return encode_png(shaded_picture(trace, result.verdicts));
-                        }});
-    pictures.push_back({"mask.png", [&] {
-                          return encode_png_grey(width, height, mask_values(trace, result.verdicts));
-                        }});
+    pictures.push_back(
+        {"shaded.png", [&] { return encode_png(shaded_picture(trace, result.verdicts)); }});
+    pictures.push_back(
+        {"mask.png",
+         [&] { return encode_png_grey(width, height, mask_values(trace, result.verdicts)); }});
     if (result.judgement) {
       pictures.push_back({"errors.png", [&] { return encode_png(error_picture(trace, result)); }});
     }

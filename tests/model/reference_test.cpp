@@ -128,6 +128,14 @@ TEST(ExactReference, CoveredByCountsEveryDepthUnlessToldOtherwise) {
   EXPECT_FALSE(reference.covered_by(0, 0, 3, kDepthMax));
 }
 
+TEST(Weights, NothingIsInsideATriangleWithoutArea) {
+  const Caster line{{{0, 0, 1}, {4, 4, 1}, {8, 8, 1}}, 0, 0},
+      point{{{2, 2, 1}, {2, 2, 1}, {2, 2, 1}}, 0, 0};
+  EXPECT_FALSE(weights_at(line, 4, 4).inside());
+  EXPECT_FALSE(weights_at(line, 0, 1).inside());
+  EXPECT_FALSE(weights_at(point, 2, 2).inside());
+}
+
 TEST(ExactReference, FlagsDecideBeforeGeometry) {
   const std::vector<Caster> casters = {{{{0, 0, 5}, {8, 0, 5}, {0, 8, 5}}, 0, 0}};
   const ExactReference reference(casters);

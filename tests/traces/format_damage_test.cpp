@@ -39,9 +39,10 @@ std::string preamble() {
 
 /// A chunk with a right checksum, whatever else it says.
 std::string chunk(const char (&type)[5], std::uint32_t records, std::uint32_t raw,
-                  const Bytes& payload, std::uint64_t number) {
+                  const Bytes& payload, std::uint64_t number, const Bytes& padding = {}) {
   Bytes packed(ZSTD_compressBound(payload.size()));
   packed.resize(ZSTD_compress(packed.data(), packed.size(), payload.data(), payload.size(), 1));
+  packed.insert(packed.end(), padding.begin(), padding.end());
   Bytes out;
   put(out, chunk_type(type));
   put(out, records);
@@ -218,6 +219,16 @@ TEST(Damage, AChunkOfTooManyRecordsIsRefused) {
   EXPECT_EQ(of(65536), "");
   EXPECT_NE(of(65537).find("sizes do not agree"), std::string::npos);
   EXPECT_NE(of(0).find("sizes do not agree"), std::string::npos);
+}
+
+TEST(Damage, AChunkStuffedWithASkippableFrameIsRefused) {
+  Bytes padding;
+  put(padding, 0x184D2A50u);
+  put(padding, 4000u);
+  padding.resize(padding.size() + 4000);
+  const std::string bytes =
+      preamble() + header_chunk(casting_header()) + chunk("FRAG", 1, 30, kOneFragment, 1, padding);
+  EXPECT_NE(refusal_of(bytes).find("sizes do not agree"), std::string::npos);
 }
 
 TEST(Damage, AChunkThatUnpacksToAnotherSizeIsRefused) {

@@ -88,8 +88,8 @@ std::string decode_objects(Cursor& cursor, TraceHeader& header) {
 }  // namespace
 
 std::size_t encoded_header_bytes(const TraceHeader& header) {
-  std::size_t bytes = kFixedBytes + 5 * 4 + header.source.size() + header.source_sha256.size() +
-                      header.light.size();
+  std::size_t bytes = kFixedBytes + std::size_t{5} * 4 + header.source.size() +
+                      header.source_sha256.size() + header.light.size();
   for (const std::string& warning : header.warnings) bytes += 4 + warning.size();
   for (const ObjectInfo& object : header.objects) bytes += 4 + object.name.size() + 4 + 1;
   return bytes;

@@ -13,7 +13,9 @@ namespace kagesen {
 /// Writes a trace file as a stream in bounded memory.
 ///
 /// The file appears under its name only when end() succeeded (it grows as NAME.part); a writer that
-/// is destroyed before end() removes the part. Throws UserError when the disk is full or unwritable.
+/// is destroyed before end() removes the part. A device or a pipe is written in place, without a
+/// part. Throws UserError when the disk is full or unwritable or a value is out of range, and
+/// std::logic_error when called in another order than begin, casters, fragments, end.
 class TraceWriter : public TraceSink {
  public:
   explicit TraceWriter(const std::string& path);
@@ -28,6 +30,7 @@ class TraceWriter : public TraceSink {
   std::unique_ptr<Impl> impl_;
 };
 
+/// What a trace file held. `raw_bytes` counts the chunks' payloads before compression.
 struct TraceTotals {
   std::uint64_t casters = 0, fragments = 0, chunks = 0, file_bytes = 0, raw_bytes = 0;
 };
@@ -39,9 +42,9 @@ struct TraceTotals {
 TraceTotals read_trace(const std::string& path, TraceSink& sink);
 /// The same from an open stream; `name` is used in messages.
 TraceTotals read_trace(std::istream& in, const std::string& name, TraceSink& sink);
-/// Reads only the header.
+/// Reads only the header; the rest of the file is not looked at.
 TraceHeader read_trace_header(const std::string& path);
-/// True if the file begins with the trace file's magic number.
+/// True if the file begins with the trace file's magic number; false also if it cannot be read.
 bool is_trace_file(const std::string& path);
 
 /// A TraceSink that prints plain text: one line a header field, object, caster and fragment.
@@ -58,6 +61,9 @@ class TextDump : public TraceSink {
 };
 
 /// Reads that text back, from a dump or written by hand. Throws UserError naming the line.
+///
+/// Where no objects are listed, the records wait in memory until the last has told how many there
+/// are; otherwise memory is bounded.
 void read_trace_text(std::istream& in, const std::string& name, TraceSink& sink);
 
 /// Throws UserError unless every field of the header is in its range.

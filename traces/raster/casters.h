@@ -8,12 +8,12 @@
 namespace kagesen {
 
 struct CasterSet {
-  std::vector<Caster> casters;         ///< in scene order
-  std::vector<std::uint32_t> first;    ///< of polygon p: casters [first[p], first[p + 1])
-  std::uint64_t culled = 0;            ///< triangles: averted, of closed objects
-  std::uint64_t degenerate = 0;        ///< triangles of zero area after snapping
-  std::uint64_t clipped = 0;           ///< triangles cut by the light's frustum
-  std::uint64_t outside = 0;           ///< triangles wholly outside it
+  std::vector<Caster> casters;       ///< in scene order
+  std::vector<std::uint32_t> first;  ///< of polygon p: casters [first[p], first[p + 1])
+  std::uint64_t culled = 0;          ///< triangles: averted, of closed objects
+  std::uint64_t degenerate = 0;      ///< triangles of zero area after snapping
+  std::uint64_t clipped = 0;         ///< triangles cut by the light's frustum
+  std::uint64_t outside = 0;         ///< triangles wholly outside it
 };
 
 /// Snaps, clips and culls every caster triangle. Polygons are numbered through the whole scene,

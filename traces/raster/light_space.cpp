@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "traces/raster/clip.h"
 #include "traces/raster/checks.h"
+#include "traces/raster/clip.h"
 #include "traces/scene/fit.h"
 
 namespace kagesen {
 namespace {
 
-constexpr double kMargin = 1.015;      // room around the casters of a fitted map
-constexpr double kNearestShare = 1e-3; // least near plane, as a share of the far plane
+constexpr double kMargin = 1.015;       // room around the casters of a fitted map
+constexpr double kNearestShare = 1e-3;  // least near plane, as a share of the far plane
 
 /// r x u = -f: a triangle wound counter-clockwise as the light sees it has positive area in (r, u).
 struct LightBasis {
@@ -58,9 +58,9 @@ glm::dmat4 from_rows(const std::array<glm::dvec4, 4>& rows) {
 
 glm::dmat4 fit_directional(const Scene& scene, const CaptureOptions& options) {
   const LightBasis basis(scene.light.direction);
-  const bool any_caster = std::any_of(
-      scene.objects.begin(), scene.objects.end(),
-      [](const Object& o) { return o.caster && !o.triangles.empty(); });
+  const bool any_caster =
+      std::any_of(scene.objects.begin(), scene.objects.end(),
+                  [](const Object& o) { return o.caster && !o.triangles.empty(); });
   Range x, y, depth;
   visit_triangles(scene, [&](const Object& object, const auto&... vertex) {
     for (const glm::dvec3& p : {vertex...}) {
@@ -97,9 +97,9 @@ glm::dmat4 fit_directional(const Scene& scene, const CaptureOptions& options) {
                     glm::dvec4(row_z, -near / (far - near)), glm::dvec4(0, 0, 0, 1)});
 }
 
-/// The near plane stands just before the nearest caster in the frustum of scale 1, at whatever scale
-/// the map is: depths do not depend on the scale. Casters nearer than it, which only a larger scale
-/// can show, are flattened onto it (see casters.cpp).
+/// The near plane stands just before the nearest caster in the frustum of scale 1, at whatever
+/// scale the map is: depths do not depend on the scale. Casters nearer than it, which only a larger
+/// scale can show, are flattened onto it (see casters.cpp).
 glm::dmat4 fit_perspective(const Scene& scene, const CaptureOptions& options) {
   const Light& light = scene.light;
   const LightBasis basis(light.direction);
@@ -119,8 +119,8 @@ glm::dmat4 fit_perspective(const Scene& scene, const CaptureOptions& options) {
   });
   far = far > 0 ? far * (1 + 1e-6) : std::max(reach, 1.0);
   double nearest = far;
-  const glm::dvec4 sides[] = {{1, 0, 0, 1}, {-1, 0, 0, 1}, {0, 1, 0, 1}, {0, -1, 0, 1},
-                              {0, 0, 0, 1}};
+  const glm::dvec4 sides[] = {
+      {1, 0, 0, 1}, {-1, 0, 0, 1}, {0, 1, 0, 1}, {0, -1, 0, 1}, {0, 0, 0, 1}};
   visit_triangles(scene, [&](const Object& object, const auto&... vertex) {
     if (!object.caster) return;
     ClipPolygon polygon;
@@ -211,7 +211,8 @@ LightSpace fit_light_space(const Scene& scene, const CaptureOptions& options) {
   const double scale = std::max(options.scale_x, options.scale_y);
   const double reach = reach_in_texels(scene, space);
   int bits = static_cast<int>(kMinFractionBits) + static_cast<int>(std::floor(std::log2(scale)));
-  while (bits > static_cast<int>(kMinFractionBits) && std::ldexp(reach, bits) > kCoordinateMax + 1.0) {
+  while (bits > static_cast<int>(kMinFractionBits) &&
+         std::ldexp(reach, bits) > kCoordinateMax + 1.0) {
     --bits;
   }
   space.fraction_bits = static_cast<std::uint32_t>(bits);

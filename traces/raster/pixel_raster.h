@@ -84,4 +84,19 @@ void raster_triangle(std::array<ScreenPoint, 3> p, int width, int height, Emit&&
   }
 }
 
+/// Calls emit(x, y) for every pixel of an image, in the order raster_triangle keeps in a triangle.
+template <typename Emit>
+void visit_pixels(std::uint32_t width, std::uint32_t height, Emit&& emit) {
+  const auto w = static_cast<int>(width), h = static_cast<int>(height);
+  for (int tile_y = 0; tile_y < h; tile_y += 8) {
+    for (int tile_x = 0; tile_x < w; tile_x += 8) {
+      for (int i = 0; i < 64; ++i) {
+        // i counts quads in its upper bits, pixels of a quad in its lower two.
+        const int x = tile_x + (i >> 2 & 3) * 2 + (i & 1), y = tile_y + (i >> 4) * 2 + (i >> 1 & 1);
+        if (x < w && y < h) emit(x, y);
+      }
+    }
+  }
+}
+
 }  // namespace kagesen

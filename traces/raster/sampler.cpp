@@ -64,8 +64,8 @@ void Sampler::place(const glm::dvec3& world, Fragment& fragment) const {
     fragment.flags |= Fragment::kOutside;
     return;
   }
-  fragment.position.z = static_cast<std::uint32_t>(
-      std::clamp<double>(std::floor(UnitGrid::z(clip)), 0, kDepthMax));
+  fragment.position.z =
+      static_cast<std::uint32_t>(std::clamp<double>(std::floor(UnitGrid::z(clip)), 0, kDepthMax));
   if (surface_known_) surface_.settle(fragment.position);
 }
 

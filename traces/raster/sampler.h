@@ -28,7 +28,7 @@ class Sampler {
   const UnitGrid grid_;
   OwnSurface surface_;
   bool surface_known_ = false, normal_known_ = false, averted_ = false;
-  glm::dvec3 normal_{0};        ///< of length 1
+  glm::dvec3 normal_{0};           ///< of length 1
   std::uint8_t flat_shade_ = 255;  ///< of a directional light
 };
 

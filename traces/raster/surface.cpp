@@ -53,8 +53,8 @@ void OwnSurface::settle(LightPoint& p) const {
     const Plane& plane = planes_[i];
     const LightPoint& a = plane.caster->vertex[0];
     // A double tells all but the near ties; its error here is far below a quarter.
-    const double about = a.z + plane.slope_x * (double(p.x) - a.x) +
-                         plane.slope_y * (double(p.y) - a.y);
+    const double about =
+        a.z + plane.slope_x * (double(p.x) - a.x) + plane.slope_y * (double(p.y) - a.y);
     if (about > p.z + 0.5 + plane.slack * 1e-6 || about < p.z - plane.slack - 2) continue;
     if (!covers(*plane.caster, p, plane.area)) continue;
     const std::int64_t limit = plane_floor(*plane.caster, p, plane.area);

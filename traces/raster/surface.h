@@ -14,9 +14,9 @@ class OwnSurface {
   /// Chooses the polygon whose fragments come next.
   void select(std::uint32_t polygon);
 
-  /// Lowers a fragment's depth to the floor of its own snapped triangle at (x, y), where that covers
-  /// (x, y) and lies nearer only by what snapping explains: 4 depth units and twice the change of
-  /// depth over one unit in x and in y.
+  /// Lowers a fragment's depth to the floor of its own snapped triangle at (x, y), where that
+  /// covers (x, y) and lies nearer only by what snapping explains: 4 depth units and twice the
+  /// change of depth over one unit in x and in y.
   void settle(LightPoint& p) const;
 
  private:

@@ -13,8 +13,8 @@ View::View(const Scene& scene, int width, int height)
   glm::dvec3 right = glm::cross(forward_, camera.up);
   // Looking along `up`: any other hint will do.
   if (!(glm::length(right) > 1e-9 * glm::length(camera.up))) {
-    right = glm::cross(forward_, std::abs(forward_.z) < 0.9 ? glm::dvec3(0, 0, -1)
-                                                            : glm::dvec3(1, 0, 0));
+    right = glm::cross(forward_,
+                       std::abs(forward_.z) < 0.9 ? glm::dvec3(0, 0, -1) : glm::dvec3(1, 0, 0));
   }
   right = glm::normalize(right);
   const glm::dvec3 up = glm::cross(right, forward_);

@@ -26,7 +26,8 @@ class View {
 
   /// (pixel x * w, pixel y * w, 1, w), w the distance along the view direction.
   glm::dvec4 project(const glm::dvec3& world) const;
-  /// Clips to the near plane and the guard band and snaps. Returns the number of corners, 0 if none.
+  /// Clips to the near plane and the guard band and snaps. Returns the number of corners, 0 if
+  /// none.
   int to_screen(const std::array<glm::dvec4, 3>& projected,
                 std::array<ScreenPoint, 16>& corners) const;
 

@@ -50,8 +50,8 @@ void build_avenue(Scene& scene) {
   scene.camera.eye = {0.6, 1.7, 8};
   scene.camera.target = {0.1, 1.5, -20};
   scene.camera.vertical_fov_degrees = 50;
-  // Light across the street while the view goes along it; at scale 1 the map reaches the first trees
-  // only, and 16 times more holds everything.
+  // Light across the street while the view goes along it; at scale 1 the map reaches the first
+  // trees only, and 16 times more holds everything.
   scene.light.direction = glm::normalize(glm::dvec3(0.8, -0.75, 0.05));
   scene.light.target = {0, 1.5, 0};
   scene.light.half_extent = 8;

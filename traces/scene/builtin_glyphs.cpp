@@ -41,7 +41,7 @@ void build_glyphs(Scene& scene) {
   for (const Glyph& glyph : glyphs()) {
     Object object = make_cells(glyph.rows, x, y, 0.14);
     for (glm::dvec3& p : object.positions) {
-      p.x += 0.18 * p.y - 0.65;              // italic
+      p.x += 0.18 * p.y - 0.65;                // italic
       p.z += 0.1 * (p.x - 0.2) * (p.x - 0.2);  // and bent, so that no face is level with another
     }
     const int column = number % 4, row = number / 4;

@@ -61,7 +61,7 @@ bool has_floor(const Scene& scene) {
                        c = object.positions[t[2]];
       if (std::max({a.y, b.y, c.y}) > limit) continue;
       const glm::dvec3 normal = glm::cross(b - a, c - a);
-      if (std::abs(normal.y) > 0.9 * glm::length(normal)) covered += 0.5 * std::abs(normal.y);
+      if (normal.y > 0.9 * glm::length(normal)) covered += 0.5 * normal.y;
     }
   }
   return covered >= 0.5 * size.x * size.z && covered > 0;

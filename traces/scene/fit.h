@@ -16,8 +16,8 @@ struct Bounds {
 /// no caster.
 Bounds caster_bounds(const Scene& scene);
 
-/// True where the scene brings its own floor: level triangles within the lowest tenth of its height
-/// cover at least half of its footprint.
+/// True where the scene brings its own floor: level triangles that face up, within the lowest tenth
+/// of its height, cover at least half of its footprint.
 bool has_floor(const Scene& scene);
 
 /// Adds a square receiver "ground" 1/1000 of the scene's diagonal under its lowest point, large

@@ -75,8 +75,9 @@ class GltfChecker {
     }
     const std::uint32_t text = little_endian(bytes, 12, 4);
     if (total > bytes.size() || text > bytes.size() - 20) {
-      throw UserError(path_, fmt::format("it ends early: {} of {} bytes are there", bytes.size(),
-                                         total), kExportAgain);
+      throw UserError(path_,
+                      fmt::format("it ends early: {} of {} bytes are there", bytes.size(), total),
+                      kExportAgain);
     }
     if (bytes.size() - 20 - text >= 8) buffers_[0] = bytes.substr(28 + text);
     return std::string_view(bytes).substr(20, text);

@@ -42,8 +42,10 @@ void check_mesh(const std::string& path, const aiMesh& mesh) {
     }
     for (unsigned int i = 0; i < face.mNumIndices; ++i) {
       if (face.mIndices[i] >= mesh.mNumVertices) {
-        throw UserError(where(), fmt::format("face {} refers to vertex {} of {}", f,
-                                             face.mIndices[i], mesh.mNumVertices), kRepair);
+        throw UserError(where(),
+                        fmt::format("face {} refers to vertex {} of {}", f, face.mIndices[i],
+                                    mesh.mNumVertices),
+                        kRepair);
       }
     }
   }
@@ -74,8 +76,8 @@ class Converter {
       Object part;
       add_mesh(mesh, world, node_is_object_ ? whole : part);
       if (!node_is_object_) {
-        keep(std::move(part), node.mNumMeshes == 1 && node.mName.length > 0 ? node.mName
-                                                                            : mesh.mName);
+        keep(std::move(part),
+             node.mNumMeshes == 1 && node.mName.length > 0 ? node.mName : mesh.mName);
       }
     }
     if (node_is_object_) keep(std::move(whole), node.mName);
@@ -95,7 +97,8 @@ class Converter {
       const glm::dvec3 q(world * glm::dvec4(p.x, p.y, p.z, 1));
       if (!std::isfinite(glm::dot(q, q))) {
         throw UserError(fmt::format("{}: mesh '{}'", path_, mesh.mName.C_Str()),
-                        fmt::format("its node's transform takes vertex {} to infinity", v), kRepair);
+                        fmt::format("its node's transform takes vertex {} to infinity", v),
+                        kRepair);
       }
       object.positions.push_back(q);
     }
@@ -112,8 +115,8 @@ class Converter {
         continue;
       }
       // A mirror turns windings round; outward normals stay outward.
-      object.triangles.push_back({base + i[0], base + i[mirrored ? 2 : 1],
-                                  base + i[mirrored ? 1 : 2]});
+      object.triangles.push_back(
+          {base + i[0], base + i[mirrored ? 2 : 1], base + i[mirrored ? 1 : 2]});
     }
   }
 

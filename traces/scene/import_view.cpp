@@ -26,7 +26,8 @@ bool import_camera(const aiScene& file, const NodeTransforms& nodes, Scene& scen
   for (unsigned int i = 0; i < file.mNumCameras; ++i) {
     const aiCamera& from = *file.mCameras[i];
     const glm::dmat4 world = transform_of(nodes, from.mName);
-    const glm::dvec3 eye(world * glm::dvec4(vector_of(from.mPosition), 1));
+    // The node alone places it: Assimp 5.2 repeats the node's translation in mPosition.
+    const glm::dvec3 eye(world[3]);
     const glm::dvec3 ahead = glm::dmat3(world) * vector_of(from.mLookAt);
     const glm::dvec3 up = glm::dmat3(world) * vector_of(from.mUp);
     // Of the formats read here only glTF has cameras, and Assimp 5.2 gives their vertical angle
@@ -48,8 +49,8 @@ bool import_camera(const aiScene& file, const NodeTransforms& nodes, Scene& scen
     scene.camera.up = glm::normalize(up);
     scene.camera.vertical_fov_degrees = fov;
     if (file.mNumCameras > 1) {
-      scene.warnings.push_back(fmt::format("took camera '{}' of {}", from.mName.C_Str(),
-                                           file.mNumCameras));
+      scene.warnings.push_back(
+          fmt::format("took camera '{}' of {}", from.mName.C_Str(), file.mNumCameras));
     }
     return true;
   }
@@ -79,7 +80,8 @@ bool import_light(const aiScene& file, const NodeTransforms& nodes, Scene& scene
       const bool within = !(distance > radius);
       if (!usable(light.direction)) light.direction = glm::dvec3(0, -1, 0);
       light.spread_degrees =
-          within ? 150 : std::clamp(glm::degrees(2 * std::asin(radius / distance)) * 1.02, 1.0, 150.0);
+          within ? 150
+                 : std::clamp(glm::degrees(2 * std::asin(radius / distance)) * 1.02, 1.0, 150.0);
     } else {
       known = false;
     }

@@ -23,7 +23,8 @@ constexpr const char* kExportAgain = "export the mesh again";
 
 std::string read_whole(const std::string& path) {
   std::error_code error;
-  if (!std::filesystem::exists(path, error)) throw UserError(path, "no such file", "check the name");
+  if (!std::filesystem::exists(path, error))
+    throw UserError(path, "no such file", "check the name");
   if (std::filesystem::is_directory(path, error)) {
     throw UserError(path, "it is a directory", "name a mesh file in it");
   }
@@ -109,8 +110,9 @@ void check_obj(const std::string& path, const std::string& text) {
           throw UserError(where(), "face index 0, but OBJ counts from 1", kExportAgain);
         }
         if (index < 0 && -index > vertices) {
-          throw UserError(where(), fmt::format("face index {} with {} vertices before it", index,
-                                               vertices), kExportAgain);
+          throw UserError(where(),
+                          fmt::format("face index {} with {} vertices before it", index, vertices),
+                          kExportAgain);
         }
         if (index > largest.index) largest = {index, lines.number()};
         at = end;

@@ -4,9 +4,9 @@
 
 namespace kagesen {
 
-/// Checks that the file is there, is of a known kind, and holds together: OBJ indices and numbers by
-/// line, PLY element counts against the data, glTF indices. Throws UserError.
-/// Returns the extension in lower case, without the dot.
+/// Checks that the file is there, is of a known kind, and holds together: OBJ indices and numbers
+/// by line, PLY element counts against the data, glTF indices. Throws UserError. Returns the
+/// extension in lower case, without the dot.
 std::string check_mesh_file(const std::string& path);
 
 }  // namespace kagesen

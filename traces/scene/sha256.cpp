@@ -19,9 +19,7 @@ class Digest {
       throw std::runtime_error("libcrypto offers no SHA-256");
     }
   }
-  void add(const void* data, std::size_t bytes) {
-    EVP_DigestUpdate(context_.get(), data, bytes);
-  }
+  void add(const void* data, std::size_t bytes) { EVP_DigestUpdate(context_.get(), data, bytes); }
   template <typename T>
   void add_vector(const std::vector<T>& values) {
     const std::uint64_t count = values.size();

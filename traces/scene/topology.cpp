@@ -98,8 +98,7 @@ std::vector<std::uint32_t> weld(const std::vector<glm::dvec3>& positions) {
   first.reserve(positions.size());
   std::vector<std::uint32_t> welded(positions.size());
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    welded[i] =
-        first.emplace(positions[i], static_cast<std::uint32_t>(first.size())).first->second;
+    welded[i] = first.emplace(positions[i], static_cast<std::uint32_t>(first.size())).first->second;
   }
   return welded;
 }

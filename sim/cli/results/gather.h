@@ -20,8 +20,8 @@ struct ResultsOptions {
 /// One run.
 struct Measurement {
   unsigned scale = 1, bits = 8;
-  std::uint64_t fragments = 0, texels = 0, lines = 0, payload_bytes = 0, allocated_bytes = 0;
-  std::uint64_t overflow_lines = 0;
+  std::uint64_t fragments = 0, texels = 0, lines = 0;
+  std::uint64_t payload_bytes = 0, allocated_bytes = 0, overflow_lines = 0;
   ErrorFigures paper, physical;
   EquivalentResolution equivalent;
   PlainFigures plain_same_side, plain_equal_bytes;
@@ -31,7 +31,7 @@ struct SceneResults {
   std::string name, description;
   std::uint64_t triangles = 0, objects = 0;
   std::vector<Measurement> runs;  ///< by scale, 8 bits before 4
-  Canvas sheet{1, 1};             ///< crops of the frame: a column a scale; 8 bits, 4 bits, plain map
+  Canvas sheet{1, 1};  ///< crops of the frame: a column a scale; 8 bits, 4 bits, plain map
   /// The run at a scale and width.
   const Measurement& at(unsigned scale, unsigned bits) const;
 };

@@ -27,12 +27,13 @@ std::string runs_table(const SceneResults& scene, unsigned bits,
       bits);
   for (const unsigned scale : scales) {
     const Measurement& m = scene.at(scale, bits);
-    text += fmt::format("| {0} x {0} | {1} | {2} | {3} | {4} | {5} | {6} | {7} | {8} | {9} | {10} ({11}) |\n",
-                        scale, grouped(m.texels), grouped(m.lines), kilobytes(m.payload_bytes),
-                        kilobytes(m.allocated_bytes), grouped(m.paper.wrong),
-                        per_million(m.paper.rate()), per_million(m.paper.band_rate()),
-                        equivalent(m.equivalent), grouped(m.plain_same_side.wrong),
-                        grouped(m.plain_equal_bytes.wrong), grouped(m.plain_equal_bytes.side));
+    text += fmt::format(
+        "| {0} x {0} | {1} | {2} | {3} | {4} | {5} | {6} | {7} | {8} | {9} | {10} ({11}) |\n",
+        scale, grouped(m.texels), grouped(m.lines), kilobytes(m.payload_bytes),
+        kilobytes(m.allocated_bytes), grouped(m.paper.wrong), per_million(m.paper.rate()),
+        per_million(m.paper.band_rate()), equivalent(m.equivalent),
+        grouped(m.plain_same_side.wrong), grouped(m.plain_equal_bytes.wrong),
+        grouped(m.plain_equal_bytes.side));
   }
   return text;
 }
@@ -68,7 +69,8 @@ std::string results_page(const std::vector<SceneResults>& results, const Results
                          const std::string& images) {
   std::string text = fmt::format(
       "# The paper, reproduced\n\n"
-      "Made by `./kagesen results`; every figure is a count on a fixed input, so every machine gets "
+      "Made by `./kagesen results`; every figure is a count on a fixed input, so every machine "
+      "gets "
       "the same page. Frames of {} x {} pixels, a map of 1024 x 1024 texels, the paper profile "
       "with its defaults (`./kagesen config`) and Fraction and Slope of 8 or 4 bits.\n\n"
       "*Scale* is the paper's virtual projection space: at 16 x 16 the same map covers 16 times "
@@ -76,7 +78,8 @@ std::string results_page(const std::vector<SceneResults>& results, const Results
       "verdict differs from the exact one in the paper's semantics (an object never shadows "
       "itself); *the band* is every fragment within one texel of a true shadow edge, so it widens "
       "with the scale. *Equivalent side* is the smallest plain shadow map with no more errors in "
-      "that band. *Payload* counts entries and lines alone, *allocated* the buckets, links and tags "
+      "that band. *Payload* counts entries and lines alone, *allocated* the buckets, links and "
+      "tags "
       "too. A plain map holds a depth and an object ID a texel; *equal bytes* gives it all that "
       "the unit allocates.\n",
       options.image_width, options.image_height);

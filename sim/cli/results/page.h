@@ -1,5 +1,6 @@
 #pragma once
-/// docs/results.md, made of measurements alone: no times, so that every machine writes the same page.
+/// docs/results.md, made of measurements alone: no times, so that every machine writes the same
+/// page.
 #include <string>
 #include <vector>
 

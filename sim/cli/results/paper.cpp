@@ -52,14 +52,17 @@ std::string paper_section(const std::vector<SceneResults>& results) {
       "\n## Table 8 of the paper\n\n"
       "The paper gives silhouette texels, lines and KB, and a shadow buffer of 4096 KB. Its bytes "
       "follow from 42 bits a silhouette texel and 36 bits a line (column *formula*): payload only, "
-      "without links or hash tags. Beside it stands our scene of the same kind, not the same scene: "
+      "without links or hash tags. Beside it stands our scene of the same kind, not the same "
+      "scene: "
       "the paper does not publish its own. *Lines a texel* is what can be compared.\n\n"
-      "| paper | scale | texels | lines | KB | formula | lines a texel | our scene | texels | lines "
+      "| paper | scale | texels | lines | KB | formula | lines a texel | our scene | texels | "
+      "lines "
       "| payload KB | formula | allocated KB | lines a texel |\n"
       "|:--|--:|--:|--:|--:|--:|--:|:--|--:|--:|--:|--:|--:|--:|\n";
-  double worst = 0;
+  double worst_alone = 0, worst_crowd = 0;
   for (const Table8Column& column : kTable8) {
     const double formula = payload_kb(column.texels, column.lines);
+    double& worst = column.figure == std::string("Fig 9") ? worst_crowd : worst_alone;
     worst = std::max(worst, std::abs(formula - column.kilobytes));
     text += fmt::format("| {0} | {1} x {1} | {2} | {3} | {4:.1f} | {5:.1f} | {6:.2f} |",
                         column.figure, column.scale, grouped(column.texels), grouped(column.lines),
@@ -73,8 +76,14 @@ std::string paper_section(const std::vector<SceneResults>& results) {
       text += " - | - | - | - | - | - | - |\n";
     }
   }
-  text += fmt::format("\nThe formula reproduces the paper's KB within {:.2f} KB in all {} columns.\n",
-                      worst, kTable8.size());
+  text += fmt::format(
+      "\nThe formula gives the paper's KB within {:.1f} KB for one object (Fig 8) and for a long "
+      "row "
+      "of them (Fig 10). With many objects (Fig 9) the paper needs up to {:.1f} KB more: where "
+      "objects meet in a texel, each has 42 bits of its own. Ours counts 42 bits for every entry "
+      "of up "
+      "to three lines, continuations included: what a buffer has to hold.\n",
+      worst_alone, worst_crowd);
   return text;
 }
 

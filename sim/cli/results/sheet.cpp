@@ -37,15 +37,21 @@ void Sheet::choose_window(const Trace& trace, const std::vector<std::uint8_t>& e
   std::transform(exact.begin(), exact.end(), verdicts.begin(),
                  [](std::uint8_t dark) { return dark ? Verdict::kDark : Verdict::kLit; });
   const std::vector<std::uint8_t> mask = mask_values(trace, verdicts);
+  std::vector<std::uint32_t> object(mask.size(), kNoObject);
+  for (const Fragment& f : trace.all_fragments) {
+    if (f.flags & Fragment::kVisible) {
+      object[static_cast<std::size_t>(f.pixel_y) * width + f.pixel_x] = f.object;
+    }
+  }
   long best = -1;
   for (int top = 0; top + kWindowHeight <= height; top += kWindowHeight / 4) {
     for (int left = 0; left + kWindowWidth <= width; left += kWindowWidth / 4) {
       long edge = 0;
       for (int y = top; y < top + kWindowHeight; ++y) {
-        const std::uint8_t* row = &mask[static_cast<std::size_t>(y) * width];
+        const std::size_t row = static_cast<std::size_t>(y) * width;
         for (int x = left + 1; x < left + kWindowWidth; ++x) {
-          // 128 is the background, whose border is no shadow's edge.
-          edge += row[x] != row[x - 1] && row[x] != 128 && row[x - 1] != 128;
+          // A change from one object to the next is no shadow's edge.
+          edge += mask[row + x] != mask[row + x - 1] && object[row + x] == object[row + x - 1];
         }
       }
       if (edge <= best) continue;

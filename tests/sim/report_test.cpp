@@ -1,0 +1,186 @@
+/// The parts of a report on hand-made results.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "sim/report/font.h"
+#include "sim/report/json.h"
+#include "sim/report/outputs.h"
+#include "sim/report/pictures.h"
+#include "sim/report/table.h"
+#include "sim/report/verdicts.h"
+#include "traces/format/error.h"
+
+namespace kagesen {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OutputsTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "kagesen-report-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string path(const char* name) const { return (folder_ / name).string(); }
+  fs::path folder_;
+};
+
+TEST_F(OutputsTest, NothingUntilCommit) {
+  {
+    Outputs outputs;
+    outputs.make_folder(path("x/y"));
+    outputs.open(path("x/y/a")) << "text";
+    outputs.write(path("b"), "bytes");
+    EXPECT_FALSE(fs::exists(path("x/y/a")));
+    EXPECT_FALSE(fs::exists(path("b")));
+  }
+  EXPECT_TRUE(fs::is_empty(folder_));  // parts and folders went with it
+}
+
+TEST_F(OutputsTest, CommitReplaces) {
+  std::ofstream(path("b")) << "old and longer";
+  Outputs outputs;
+  outputs.make_folder(path("x"));
+  outputs.open(path("x/a")) << std::string(200000, 'z');
+  outputs.write(path("b"), "new");
+  outputs.commit();
+  EXPECT_EQ(fs::file_size(path("x/a")), 200000u);
+  EXPECT_EQ(fs::file_size(path("b")), 3u);
+  EXPECT_FALSE(fs::exists(path("b.part")));
+  EXPECT_EQ(outputs.names(), (std::vector<std::string>{path("x/a"), path("b")}));
+}
+
+TEST_F(OutputsTest, KeepsFoldersThatWereThere) {
+  fs::create_directory(path("x"));
+  { Outputs().make_folder(path("x/y")); }
+  EXPECT_TRUE(fs::exists(path("x")));
+  EXPECT_FALSE(fs::exists(path("x/y")));
+}
+
+TEST_F(OutputsTest, RefusesFoldersAndFullDevices) {
+  Outputs outputs;
+  EXPECT_THROW(outputs.open(folder_.string()), UserError);
+  EXPECT_THROW(outputs.open(path("none/a")), UserError);
+  EXPECT_THROW(outputs.write("/dev/full", "x"), UserError);
+  EXPECT_TRUE(fs::exists("/dev/full"));
+}
+
+/// Two objects on a 4 x 2 image, one fragment a pixel but the first; the last is wrong.
+struct Tiny {
+  Trace trace;
+  RunResult result;
+  Tiny() {
+    trace.header.source = "tiny";
+    trace.header.light = "directional";
+    trace.header.image_width = 4;
+    trace.header.image_height = 2;
+    trace.header.objects = {{"ground", 2, false, false}, {"box", 12, true, true}};
+    for (std::uint16_t i = 1; i < 8; ++i) {
+      Fragment f;
+      f.pixel_x = i % 4;
+      f.pixel_y = i / 4;
+      f.object = i / 4;
+      f.flags = Fragment::kVisible;
+      trace.all_fragments.push_back(f);
+      result.verdicts.push_back(i > 3 ? Verdict::kDark : Verdict::kLit);
+    }
+    result.engine = "golden";
+    result.contents.width = result.contents.height = 2;
+    result.contents.depth = {5, 9, 0xffffff, 0xffffff};
+    result.contents.object = {1, 1, kNoObject, kNoObject};
+    result.contents.overflowed = {0, 0, 0, 0};
+    result.contents.entries = {{1, 0, 1, 9, false, std::vector<LineRecord>(2)}};
+  }
+  void judge() {
+    Judgement judgement;
+    judgement.exact_paper = judgement.exact_physical = {0, 0, 0, 1, 1, 1, 0};
+    judgement.cause_paper.assign(7, Cause::kNone);
+    judgement.cause_physical = judgement.cause_paper;
+    judgement.cause_paper[6] = Cause::kQuantisation;
+    judgement.paper.judged = 7;
+    judgement.paper.wrong = judgement.paper.false_dark = 1;
+    judgement.paper.causes[1] = 1;
+    result.judgement = judgement;
+  }
+};
+
+TEST(Json, LeavesOutWhatIsUnknown) {
+  Tiny tiny;
+  EXPECT_FALSE(report_json(tiny.trace, tiny.result).contains("error"));
+  tiny.judge();
+  const auto json = report_json(tiny.trace, tiny.result);
+  EXPECT_FALSE(json["error"].contains("equivalent_resolution"));
+  EXPECT_FALSE(json["error"].contains("plain"));
+  EXPECT_TRUE(json["error"]["paper"].contains("displacement_texels"));
+  EXPECT_FALSE(json["error"]["physical"].contains("displacement_texels"));
+  EXPECT_EQ(json["verdict"]["dark"], 4);
+  EXPECT_EQ(json["input"]["triangles"], 14);
+  EXPECT_EQ(json["input"]["closed_objects"], 1);
+  EXPECT_TRUE(json["config"]["match_polygon_id"].is_boolean());
+  EXPECT_TRUE(json["config"]["slope_bits"].is_number_integer());
+}
+
+TEST(Pictures, MaskAndColours) {
+  Tiny tiny;
+  EXPECT_EQ(mask_values(tiny.trace, tiny.result.verdicts),
+            (std::vector<std::uint8_t>{128, 255, 255, 255, 0, 0, 0, 0}));
+  const Canvas shaded = shaded_picture(tiny.trace, tiny.result.verdicts);
+  EXPECT_EQ(shaded.width(), 4);
+  EXPECT_EQ(shaded.height(), 2);
+  EXPECT_GT(shaded.get(1, 0).r, shaded.get(0, 1).r);
+  tiny.judge();
+  const Canvas errors = error_picture(tiny.trace, tiny.result, /*legend=*/false);
+  EXPECT_EQ(errors.height(), 2);
+  EXPECT_NE(errors.get(3, 1).r, errors.get(3, 1).b);  // coloured
+  EXPECT_EQ(errors.get(0, 1).r, errors.get(0, 1).b);  // grey
+}
+
+TEST(Pictures, SmallMapsAreEnlarged) {
+  const Tiny tiny;
+  const Canvas lines = lines_picture(tiny.result.contents);
+  EXPECT_EQ(lines.width(), 512);
+  const Rgb with_lines = lines.get(300, 10), depth_only = lines.get(10, 10);
+  EXPECT_GT(with_lines.r, with_lines.b);
+  EXPECT_LE(depth_only.r, depth_only.b);
+}
+
+TEST(Pictures, FontHasEveryLetterOfALegend) {
+  for (const char letter : std::string("abcdefghijklmnopqrstuvwxyzABCXYZ0123456789.,:+-/%()=<>_")) {
+    int set = 0;
+    for (int row = 0; row < kGlyphHeight; ++row) {
+      for (int column = 0; column < kGlyphWidth; ++column) set += glyph_bit(letter, column, row);
+    }
+    EXPECT_GT(set, 0) << letter;
+  }
+  EXPECT_FALSE(glyph_bit(' ', 0, 0));
+}
+
+TEST(Verdicts, OneLineAFragment) {
+  Tiny tiny;
+  tiny.judge();
+  std::ostringstream text;
+  write_verdicts(tiny.trace, tiny.result, text);
+  EXPECT_NE(text.str().find("\n0 1 0 0 0 0 none none\n"), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find("\n6 3 1 1 0 0 quantisation none\n"), std::string::npos) << text.str();
+}
+
+TEST(Table, Numbers) {
+  EXPECT_EQ(grouped(0), "0");
+  EXPECT_EQ(grouped(999), "999");
+  EXPECT_EQ(grouped(1000), "1,000");
+  EXPECT_EQ(grouped(1234567), "1,234,567");
+  EXPECT_EQ(bytes_text(1023), "1023 B");
+  EXPECT_EQ(bytes_text(32154), "31.4 KB");
+  EXPECT_EQ(bytes_text(4u << 20), "4.0 MB");
+  EXPECT_EQ(one_in(0, 10), "none");
+  EXPECT_EQ(one_in(62, 640604), "1 in 10,332");
+}
+
+}  // namespace
+}  // namespace kagesen
