@@ -32,6 +32,12 @@ inline Fragment fragment_at(std::int32_t x, std::int32_t y, std::uint32_t z, std
   return f;
 }
 
+/// Index of a fragment's texel in a square map.
+inline std::size_t texel_of(const Fragment& f, int side) {
+  return static_cast<std::size_t>((f.position.y >> kMinFractionBits) + side / 2) * side +
+         static_cast<std::size_t>((f.position.x >> kMinFractionBits) + side / 2);
+}
+
 inline Caster triangle(LightPoint a, LightPoint b, LightPoint c, std::uint32_t object,
                        std::uint32_t polygon = 0) {
   return {{a, b, c}, object, polygon};

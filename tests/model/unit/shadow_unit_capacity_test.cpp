@@ -30,11 +30,6 @@ const Limits kTight[] = {{1, 64, 3, 64},     {20, 64, 3, 64},    {60, 64, 1, 1},
                          {100000, 1, 1, 64}, {100000, 2, 1, 16}, {40, 2, 2, 4},  {100000, 3, 1, 1}};
 const Limits kAmple{100000, 4096, 3, 64};
 
-std::size_t texel_of(const Fragment& f) {
-  return static_cast<std::size_t>((f.position.y >> kMinFractionBits) + kSide / 2) * kSide +
-         static_cast<std::size_t>((f.position.x >> kMinFractionBits) + kSide / 2);
-}
-
 TEST(Capacity, OverflowIsCountedAndMarkedAndNeverSilent) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     const RandomScene scene(seed, kSide);
@@ -70,7 +65,7 @@ TEST(Capacity, TexelsThatDidNotOverflowAreUntouched) {
       }
       ASSERT_TRUE(untouched == tight.contents.entries) << seed;
       for (std::size_t i = 0; i < scene.frame.fragments.size(); ++i) {
-        if (tight.contents.overflowed[texel_of(scene.frame.fragments[i])]) continue;
+        if (tight.contents.overflowed[texel_of(scene.frame.fragments[i], kSide)]) continue;
         ASSERT_EQ(tight.verdicts[i], ample.verdicts[i]) << seed << ' ' << i;
       }
     }
@@ -88,7 +83,7 @@ TEST(Capacity, OverflowedTexelsAreAPlainMapAndConservative) {
       const Outcome tight = run(scene.frame, limited(limits));
       for (std::size_t i = 0; i < scene.frame.fragments.size(); ++i) {
         const Fragment& f = scene.frame.fragments[i];
-        const std::size_t texel = texel_of(f);
+        const std::size_t texel = texel_of(f, kSide);
         if (!tight.contents.overflowed[texel]) continue;
         const std::uint32_t id = tight.contents.object[texel];
         const std::uint32_t depth = tight.contents.depth[texel];

@@ -93,11 +93,6 @@ TEST(UnitProperties, MovingAllByWholeTexelsMovesTheBuffers) {
   }
 }
 
-std::size_t texel_of(const Fragment& f) {
-  return static_cast<std::size_t>((f.position.y >> kMinFractionBits) + kSide / 2) * kSide +
-         static_cast<std::size_t>((f.position.x >> kMinFractionBits) + kSide / 2);
-}
-
 /// Texels whose entries have another nearest depth in `b` than in `a`.
 std::vector<bool> nearest_differs(const MapContents& a, const MapContents& b) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> nearest;
@@ -140,7 +135,7 @@ TEST(UnitProperties, TheOrderOfATrianglesVerticesIsNothing) {
     ASSERT_TRUE(sorted(after.contents.entries) == sorted(before.contents.entries)) << seed;
     const auto reordered = nearest_differs(before.contents, after.contents);
     for (std::size_t i = 0; i < frame.fragments.size(); ++i) {
-      const std::size_t texel = texel_of(frame.fragments[i]);
+      const std::size_t texel = texel_of(frame.fragments[i], kSide);
       ASSERT_TRUE(after.verdicts[i] == before.verdicts[i] || reordered[texel]) << seed << ' ' << i;
     }
   }
@@ -229,78 +224,6 @@ TEST(UnitProperties, AMirroredSceneHasMirroredShadows) {
     const Outcome after = run(frame, config);
     ASSERT_TRUE(after.contents == mirrored(before.contents)) << seed;
     ASSERT_EQ(after.verdicts, before.verdicts) << seed;
-  }
-}
-
-TEST(UnitProperties, PositionBitsDropTheLowBitsOfMxAndMy) {
-  for (unsigned seed = 0; seed < kSeeds; ++seed) {
-    Frame frame = RandomScene(seed, kSide).frame;
-    UnitConfig narrow = kConfig;
-    narrow.position_bits = 9;
-    const std::vector<Verdict> verdicts = run(frame, narrow).verdicts;
-    for (Fragment& f : frame.fragments) {
-      f.position.x &= ~((1 << 7) - 1);
-      f.position.y &= ~((1 << 7) - 1);
-    }
-    ASSERT_EQ(run(frame, kConfig).verdicts, verdicts) << seed;
-    // Fewer than Fraction has: as many as it has.
-    narrow.position_bits = 1;
-    UnitConfig eight = kConfig;
-    eight.position_bits = 8;
-    ASSERT_EQ(run(frame, narrow).verdicts, run(frame, eight).verdicts) << seed;
-  }
-}
-
-TEST(UnitProperties, NarrowDepthsAreTheHighBits) {
-  for (unsigned seed = 0; seed < kSeeds; ++seed) {
-    Frame frame = RandomScene(seed, kSide).frame;
-    UnitConfig narrow = kConfig;
-    narrow.depth_bits = 10;
-    const Outcome low = run(frame, narrow);
-    for (Caster& c : frame.casters) {
-      for (LightPoint& v : c.vertex) v.z >>= 14;
-    }
-    for (Fragment& f : frame.fragments) f.position.z >>= 14;
-    const Outcome high = run(frame, kConfig);
-    ASSERT_EQ(low.verdicts, high.verdicts) << seed;
-    ASSERT_TRUE(low.contents.entries == high.contents.entries) << seed;
-    for (std::size_t i = 0; i < low.contents.depth.size(); ++i)
-      ASSERT_EQ(low.contents.depth[i], std::min(high.contents.depth[i], 1023u));
-  }
-}
-
-TEST(UnitProperties, NarrowIdsAreTheLowBitsUnlessTheFrameNamesThem) {
-  for (unsigned seed = 0; seed < kSeeds; ++seed) {
-    const Frame frame = RandomScene(seed, kSide).frame;
-    UnitConfig narrow = kConfig;
-    narrow.id_bits = 1;
-    const Outcome wrapped = run(frame, narrow);
-    Frame renamed = frame;
-    for (Caster& c : renamed.casters) c.object %= 2;
-    for (Fragment& f : renamed.fragments) f.object %= 2;
-    const Outcome plain = run(renamed, kConfig);
-    ASSERT_EQ(wrapped.verdicts, plain.verdicts) << seed;
-    ASSERT_TRUE(wrapped.contents == plain.contents) << seed;
-    FrameSetup setup;
-    for (std::uint32_t object = 0; object <= 12; ++object) setup.unit_ids.push_back(object % 2);
-    ASSERT_EQ(run(frame, kConfig, setup).verdicts, plain.verdicts) << seed;
-  }
-}
-
-TEST(UnitProperties, AFinerTraceOfTheSameGeometryHasTheSameLines) {
-  for (unsigned seed = 0; seed < kSeeds; ++seed) {
-    Frame frame = RandomScene(seed, kSide).frame;
-    const Outcome before = run(frame, kConfig);
-    for (Caster& c : frame.casters) {
-      for (LightPoint& v : c.vertex) v = {v.x * 8, v.y * 8, v.z};
-    }
-    for (Fragment& f : frame.fragments)
-      f.position = {f.position.x * 8, f.position.y * 8, f.position.z};
-    FrameSetup setup;
-    setup.fraction_bits = kMinFractionBits + 3;
-    const Outcome after = run(frame, kConfig, setup);
-    ASSERT_EQ(after.verdicts, before.verdicts) << seed;
-    ASSERT_TRUE(after.contents == before.contents) << seed;
   }
 }
 
