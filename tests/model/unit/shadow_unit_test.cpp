@@ -191,6 +191,24 @@ TEST(ShadowUnit, PolygonIdsWrapAtTheirWidth) {
   EXPECT_EQ(run({{one}, {}}, config).contents.entries.at(0).lines.at(0).polygon, 3u);
 }
 
+TEST(ShadowUnit, AnEntryThatWasEmptyForgetsItsVertexAndNearestDepth) {
+  // Three triangles around v; the last one's sides at v cancel before its third side, which runs
+  // through the same texel without an end, is stored.
+  const LightPoint v{kTexel / 2, kTexel / 2, 100}, a{7 * kTexel, kTexel / 3, 1000},
+      b{kTexel / 4, -6 * kTexel, 1000}, c{kTexel / 4, 6 * kTexel, 1000};
+  const MapContents map =
+      run({{triangle(v, a, b, 0, 1), triangle(v, c, a, 0, 2), triangle(b, v, c, 0, 3)}, {}},
+          small_config())
+          .contents;
+  const auto at = std::find_if(map.entries.begin(), map.entries.end(), [](const TexelEntry& e) {
+    return e.texel_x == 8 && e.texel_y == 8;
+  });
+  ASSERT_NE(at, map.entries.end());
+  EXPECT_EQ(at->lines.size(), 1u);
+  EXPECT_FALSE(at->vertex);
+  EXPECT_EQ(at->nearest, 1000u);
+}
+
 TEST(ShadowUnit, EverySingleTexelOfTheMapIsReachable) {
   const Outcome out = run({{cover(100, 2)}, {}}, small_config(5));
   for (std::size_t i = 0; i < 25; ++i) {
