@@ -153,6 +153,16 @@ bool BoundaryFinder::any_candidate(const Query& q, double radius) const {
   return !visit_segments(q, radius, [](const Segment&) { return false; });
 }
 
+bool BoundaryFinder::uncovered_soon(const Query& q, double radius) const {
+  int probes = 8;
+  bool found = false;
+  visit_segments(q, radius, [&](const Segment& s) {
+    found = uncovered_distance(q, s, radius) < radius;
+    return !found && --probes > 0;
+  });
+  return found;
+}
+
 double BoundaryFinder::first_radius(const Query& q) const {
   return std::ldexp(1.0, tree_.leaf_size(q.p.x, q.p.y));
 }

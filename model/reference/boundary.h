@@ -4,7 +4,7 @@
 /// At depth z the region in shadow is the union, over the relevant casters, of the part of each
 /// triangle whose plane is nearer than z. Its outline consists of pieces of open edges and of the
 /// lines at which a plane passes z. Doubles, relative to the query point; accurate to well below
-/// one unit. Gaps narrower than 1/64 unit count as closed.
+/// one unit. Gaps narrower than 1/16 unit count as closed.
 #include <algorithm>
 #include <cstdint>
 #include <vector>
@@ -35,13 +35,13 @@ class BoundaryFinder {
   template <class Dark>
   bool within(const Query& q, double radius, Dark dark) const {
     bool known = false, is_dark = false;
-    for (double ring = first_radius(q);; ring *= 4) {
+    for (double ring = first_radius(q);; ring *= 2) {
       ring = std::min(ring, radius);
       if (any_candidate(q, ring)) {
         if (!known) is_dark = dark();
         known = true;
         // A lit point sees every candidate; a dark one has to look for what covers them.
-        if (!is_dark || dark_distance(q, ring) < ring) return true;
+        if (!is_dark || uncovered_soon(q, ring) || dark_distance(q, ring) < ring) return true;
       }
       if (ring >= radius) return false;
     }
@@ -79,6 +79,8 @@ class BoundaryFinder {
   double first_radius(const Query& q) const;
   /// False if there is no piece of an outline at all within `radius` units, covered or not.
   bool any_candidate(const Query& q, double radius) const;
+  /// True if one of the first few pieces found within `radius` has a lit point there just outside.
+  bool uncovered_soon(const Query& q, double radius) const;
   template <class Emit>
   bool visit_segments(const Query& q, double radius, Emit emit) const;
   template <class Emit>

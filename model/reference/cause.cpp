@@ -26,12 +26,6 @@ std::uint64_t word(const Line& line) {
   return std::uint64_t{line.fraction} << 24 | std::uint64_t{line.slope} << 8 | line.flags;
 }
 
-std::vector<Line> lines_of(const TexelEntry& entry) {
-  std::vector<Line> lines;
-  for (const LineRecord& record : entry.lines) lines.push_back(as_line(record));
-  return lines;
-}
-
 /// Is the point on the side of the exact line that the stored line claims as inside?
 bool holds_exactly(const Line& line, const LightPoint& from, const LightPoint& to,
                    const LightPoint& p) {
@@ -83,10 +77,13 @@ const TexelEntry* CauseFinder::entry_of(const Place& at, std::uint32_t id) const
   return found == last ? nullptr : found;
 }
 
-bool CauseFinder::inside(const TexelEntry& entry, const unit::SubTexel& point) const {
-  const std::vector<Line> lines = lines_of(entry);
-  return decision_.inside(lines.data(), static_cast<std::uint32_t>(lines.size()), entry.vertex,
-                          point);
+unit::Combination& CauseFinder::combination_of(const TexelEntry& entry) const {
+  const auto found = combinations_.find(&entry);
+  if (found != combinations_.end()) return found->second;
+  std::vector<Line> lines;
+  for (const LineRecord& record : entry.lines) lines.push_back(as_line(record));
+  unit::Combination made(decision_, std::move(lines), entry.vertex);
+  return combinations_.emplace(&entry, std::move(made)).first->second;
 }
 
 bool CauseFinder::covered(const Fragment& f, std::uint32_t id) const {
@@ -124,7 +121,9 @@ Cause CauseFinder::false_dark(const Fragment& f, const Place& at) const {
   }
   const auto [first, last] = entries_at(at.index);
   for (const TexelEntry* e = first; e != last; ++e) {
-    if (e->object == at.id || at.depth <= e->nearest || !inside(*e, at.point)) continue;
+    if (e->object == at.id || at.depth <= e->nearest ||
+        !combination_of(*e).inside(decision_, at.point))
+      continue;
     return covered(f, e->object) ? Cause::kDepth : outline(f, at, *e, false);
   }
   return Cause::kOther;  // no source said dark: the verdict is not this unit's
@@ -251,11 +250,11 @@ Cause CauseFinder::outline(const Fragment& f, const Place& at, const TexelEntry&
                     [&](const OutlineLine& l) { return contents_.depth[at.index] < l.nearest; });
     return hidden ? Cause::kHiddenRemoval : Cause::kCancelling;
   }
-  const std::vector<Line> stored = lines_of(entry);
-  const bool inside = decision_.inside_if(
-      stored.data(), static_cast<std::uint32_t>(stored.size()), entry.vertex, [&](std::uint32_t i) {
-        return holds_exactly(stored[i], exact.match[i].from, exact.match[i].to, f.position);
-      });
+  unit::Combination& combination = combination_of(entry);
+  const bool inside = combination.inside_if([&](std::uint32_t i) {
+    return holds_exactly(combination.lines()[i], exact.match[i].from, exact.match[i].to,
+                         f.position);
+  });
   return inside == covered ? Cause::kQuantisation : Cause::kCombination;
 }
 

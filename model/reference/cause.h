@@ -8,7 +8,7 @@
 #include "model/engine.h"
 #include "model/reference/judge.h"
 #include "model/reference/reference.h"
-#include "model/unit/shadow_decision.h"
+#include "model/unit/combination.h"
 
 namespace kagesen {
 
@@ -54,7 +54,7 @@ class CauseFinder {
   Cause outline(const Fragment& f, const Place& at, const TexelEntry& entry, bool covered) const;
   const Outline& outline_of(const Place& at, std::uint32_t id) const;
   std::vector<OutlineLine> exact_outline(const Place& at, std::uint32_t id) const;
-  bool inside(const TexelEntry& entry, const unit::SubTexel& point) const;
+  unit::Combination& combination_of(const TexelEntry& entry) const;
   bool covered(const Fragment& f, std::uint32_t id) const;
   const TexelEntry* entry_of(const Place& at, std::uint32_t id) const;
   std::pair<const TexelEntry*, const TexelEntry*> entries_at(std::uint32_t texel) const;
@@ -68,6 +68,7 @@ class CauseFinder {
   unit::ShadowDecision decision_;
   std::vector<std::vector<std::uint32_t>> objects_of_id_;        // where IDs are shared
   mutable std::unordered_map<std::uint64_t, Outline> outlines_;  // by texel and ID
+  mutable std::unordered_map<const TexelEntry*, unit::Combination> combinations_;
 };
 
 }  // namespace kagesen

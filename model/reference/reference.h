@@ -26,7 +26,9 @@ struct DepthSample {
 ///
 /// A caster covers a point if the point lies inside or on its snapped outline; it shadows depth z
 /// if its plane there is strictly nearer than z, compared without rounding. Triangles of zero area
-/// cover nothing. Thread-safe after construction. Memory: O(casters).
+/// cover nothing. Thread-safe after construction. Memory: O(casters), 85 to 140 MB
+/// for 1 M of them; the first call of boundary_distance or near_boundary, and the first of
+/// casters_in, add a table each.
 class ExactReference {
  public:
   /// Keeps a reference to the casters.
@@ -44,18 +46,22 @@ class ExactReference {
   /// this.
   bool covered_by(std::int32_t x, std::int32_t y, std::uint32_t object,
                   std::uint32_t nearer_than = std::numeric_limits<std::uint32_t>::max()) const;
-  /// The surface nearest the light at (x, y).
+  /// The surface nearest the light at (x, y); of surfaces of equal depth (rounded down) the one
+  /// whose caster comes first, as a map would keep that is drawn in order.
   DepthSample nearest(std::int32_t x, std::int32_t y) const;
 
   /// Distance in light-space units from p, at p's depth, to the nearest point where the verdict
-  /// changes; searched up to `limit` units and `limit` where none is nearer. Accurate to 1 unit.
+  /// changes; searched up to `limit` units and `limit` where none is nearer. Accurate to 1 unit;
+  /// gaps narrower than 1/16 unit count as closed.
   double boundary_distance(const LightPoint& p, std::uint32_t object, Semantics semantics,
                            double limit) const;
   /// True if the verdict for this object and depth may change within `radius` units: the band.
   bool near_boundary(const LightPoint& p, std::uint32_t object, Semantics semantics,
                      double radius) const;
   /// Distance in depth units to the nearest surface of another depth test outcome at p: how close
-  /// to contact.
+  /// to contact. It is how far p would have to move in depth for its verdict to change: the
+  /// distance to the surface nearest the light among those that may shadow it; infinite where none
+  /// covers p.
   double contact_distance(const LightPoint& p, std::uint32_t object, Semantics semantics) const;
 
   /// Indices of the casters whose bounding box meets the rectangle (units, inclusive), appended

@@ -24,7 +24,7 @@ void cut_span(const LightPoint& a, const LightPoint& b, std::int64_t orientation
   } else if (slope < 0) {
     high = std::min(high, floor_divide(constant, -slope));
   } else if (constant < 0) {
-    high = low - 1;
+    high = low - 1;  // the whole row lies outside
   }
 }
 

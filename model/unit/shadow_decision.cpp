@@ -1,7 +1,6 @@
 #include "model/unit/shadow_decision.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace kagesen::unit {
 namespace {
@@ -85,10 +84,16 @@ Combine ShadowDecision::combine(const Line& a, const Line& b, bool vertex) const
 
 bool ShadowDecision::inside_of_many(const Line* lines, std::uint32_t count, bool vertex,
                                     const SubTexel& point) const {
-  thread_local std::vector<std::uint8_t> holds;
-  holds.resize(count);
-  for (std::uint32_t i = 0; i < count; ++i) holds[i] = contains(lines[i], point);
-  return inside_if(lines, count, vertex, [](std::uint32_t i) { return holds[i] != 0; });
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (!contains(lines[i], point)) continue;
+    bool all = true;
+    for (std::uint32_t j = 0; j < count && all; ++j) {
+      all = j == i || contains(lines[j], point) ||
+            combine(lines[i], lines[j], vertex) == Combine::kOr;
+    }
+    if (all) return true;
+  }
+  return false;
 }
 
 }  // namespace kagesen::unit

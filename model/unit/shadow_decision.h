@@ -58,19 +58,6 @@ class ShadowDecision {
     if (count == 1) return contains(lines[0], point);
     return inside_of_many(lines, count, vertex, point);
   }
-  /// The same from given half-plane answers: bit i of `holds` for line i.
-  template <typename Holds>
-  bool inside_if(const Line* lines, std::uint32_t count, bool vertex, Holds holds) const {
-    for (std::uint32_t i = 0; i < count; ++i) {
-      if (!holds(i)) continue;
-      bool all = true;
-      for (std::uint32_t j = 0; j < count && all; ++j) {
-        all = j == i || holds(j) || combine(lines[i], lines[j], vertex) == Combine::kOr;
-      }
-      if (all) return true;
-    }
-    return false;
-  }
 
  private:
   bool inside_of_many(const Line* lines, std::uint32_t count, bool vertex,

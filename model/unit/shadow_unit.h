@@ -1,9 +1,11 @@
 #pragma once
 /// The shadow unit: pass 1 and pass 2 of the paper's pipeline, block by block.
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 #include "model/engine.h"
+#include "model/unit/combination.h"
 #include "model/unit/edge_walker.h"
 #include "model/unit/shadow_decision.h"
 #include "model/unit/silhouette_buffer.h"
@@ -47,6 +49,7 @@ class ShadowUnit {
   Verdict decide_one(const Fragment& fragment, Tally& tally);
   Verdict decide_by_lines(std::uint32_t texel, std::uint32_t object, std::uint32_t depth,
                           const SubTexel& point);
+  Combination& combination_of(std::uint32_t entry);
   std::uint32_t unit_id(std::uint32_t object) const {
     return object < ids_.size() ? ids_[object] : object & id_mask_;
   }
@@ -65,7 +68,8 @@ class ShadowUnit {
   ShadowDecision decision_;
   VisitedRows rows_;
   std::vector<Visit> emptied_;
-  std::vector<Line> lines_;  // of one entry, gathered for the decision
+  std::unordered_map<std::uint32_t, Combination>
+      combinations_;  // pass 2: of entries with continuations
   UnitCounters counters_;
 
   // The polygon being drawn.

@@ -27,6 +27,7 @@ void ShadowUnit::begin(const UnitConfig& config, const FrameSetup& setup) {
              static_cast<std::uint32_t>(config.lines_per_entry));
   link_depth_ = static_cast<std::uint32_t>(config.link_depth);
   decision_ = ShadowDecision(config);
+  combinations_.clear();
   counters_ = UnitCounters{};
   serial_ = 0;
 }
@@ -37,6 +38,7 @@ std::uint32_t ShadowUnit::bucket_at(std::uint32_t texel) const {
 
 void ShadowUnit::draw(const Caster& caster) {
   ++counters_.casters;
+  if (!combinations_.empty()) combinations_.clear();
   Caster c = caster;
   for (LightPoint& v : c.vertex) v.z >>= depth_shift_;
   const Polygon polygon(c, bits_);

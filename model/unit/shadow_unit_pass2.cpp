@@ -53,21 +53,28 @@ Verdict ShadowUnit::decide_by_lines(std::uint32_t texel, std::uint32_t object, s
     const Record& entry = slb_[at];
     if (depth <= entry.nearest) break;  // entries are linked from the light outwards
     ++counters_.entries_read;
-    counters_.lines_read += entry.lines;
     if (entry.object == object) continue;
-    const Line* lines = slb_.lines_of(at);
-    std::uint32_t count = entry.lines;
-    if (entry.more != SilhouetteBuffer::kNone) {
-      slb_.copy_lines(at, lines_);
-      counters_.lines_read += lines_.size() - count;
-      lines = lines_.data();
-      count = static_cast<std::uint32_t>(lines_.size());
+    bool inside;
+    if (entry.more == SilhouetteBuffer::kNone) {
+      counters_.lines_read += entry.lines;
+      inside = decision_.inside(slb_.lines_of(at), entry.lines, entry.vertex, point);
+    } else {
+      Combination& combination = combination_of(at);
+      counters_.lines_read += combination.lines().size();
+      inside = combination.inside(decision_, point);
     }
-    if (decision_.inside(lines, count, entry.vertex, point)) {
-      return Verdict::kDark;
-    }
+    if (inside) return Verdict::kDark;
   }
   return Verdict::kLit;
+}
+
+Combination& ShadowUnit::combination_of(std::uint32_t entry) {
+  const auto found = combinations_.find(entry);
+  if (found != combinations_.end()) return found->second;
+  std::vector<Line> lines;
+  slb_.copy_lines(entry, lines);
+  return combinations_.emplace(entry, Combination(decision_, std::move(lines), slb_[entry].vertex))
+      .first->second;
 }
 
 }  // namespace kagesen::unit

@@ -13,6 +13,7 @@
 #include "sim/report/pictures.h"
 #include "sim/report/table.h"
 #include "sim/report/verdicts.h"
+#include "traces/format/error.h"
 
 namespace kagesen {
 namespace {
@@ -22,8 +23,22 @@ struct RunOptions {
   SettingsOptions settings;
   SimulateOptions simulate;
   std::string folder = "out", json, verdicts;
-  bool no_reference = false, no_images = false;
+  bool no_reference = false, no_images = false, scene_exact = false;
 };
+
+SceneExact check_scene(const Scene& scene, const LightSpace& light_space, const Trace& trace,
+                       const RunResult& result) {
+  std::vector<std::uint8_t> dark;
+  dark.reserve(result.verdicts.size());
+  for (const Verdict verdict : result.verdicts) dark.push_back(verdict == Verdict::kDark);
+  SceneExact exact;
+  exact.unit = scene_exact(scene, light_space, trace, dark, dark);
+  if (result.judgement) {
+    exact.trace = scene_exact(scene, light_space, trace, result.judgement->exact_paper,
+                              result.judgement->exact_physical);
+  }
+  return exact;
+}
 
 void run(RunOptions& options) {
   const bool json_to_stdout = options.json == "-";
@@ -43,12 +58,24 @@ void run(RunOptions& options) {
 
   Stopwatch watch;
   const Source source = resolve_input(options.input);
+  const Scene* scene = std::get_if<Scene>(&source);
+  if (options.scene_exact && (!scene || !options.input.gbuffer.empty())) {
+    throw UserError("--scene-exact", "rays need the meshes and the camera of a scene",
+                    scene ? "leave --gbuffer out" : "run the scene, not its trace");
+  }
   const Trace trace = load_trace(source, options.input, settings, options.simulate.progress);
   const double load_s = watch.lap();
   RunResult result = simulate(trace, settings.config, options.simulate);
   result.stages_s.insert(result.stages_s.begin(), {"input", load_s});
 
   watch.lap();
+  if (options.scene_exact) {
+    progress.update("sending rays", 0);
+    const LightSpace light_space =
+        fit_light_space(*scene, capture_options(options.input, settings));
+    result.scene_exact = check_scene(*scene, light_space, trace, result);
+    result.stages_s.emplace_back("scene_exact", watch.lap());
+  }
   if (!options.no_images) {
     progress.update("writing pictures", 0);
     write_pictures(trace, result, options.folder, outputs);
@@ -92,6 +119,9 @@ void add_run(CLI::App& app) {
   command
       .add_flag("--no-reference", options->no_reference,
                 "Does not hold the verdicts against the exact ones")
+      ->group("Output");
+  command.add_flag("--scene-exact", options->scene_exact,
+                   "Also sends rays to the meshes as they were before snapping")
       ->group("Output");
   command.footer(
       "Examples:\n"

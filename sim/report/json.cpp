@@ -64,6 +64,23 @@ Json judgement_json(const Judgement& judgement) {
   return json;
 }
 
+Json scene_exact_json(const SceneExactReport& report) {
+  const auto figures = [](const SceneExactFigures& f) -> Json {
+    return {{"wrong", f.wrong()}, {"false_lit", f.false_lit}, {"false_dark", f.false_dark}};
+  };
+  return {{"judged", report.judged},
+          {"skipped", report.skipped},
+          {"ignored", report.ignored},
+          {"paper", figures(report.paper)},
+          {"physical", figures(report.physical)}};
+}
+
+Json scene_exact_json(const SceneExact& exact) {
+  Json json = {{"unit", scene_exact_json(exact.unit)}};
+  if (exact.trace) json["trace"] = scene_exact_json(*exact.trace);
+  return json;
+}
+
 Json slb_json(const UnitCounters& counters) {
   return {{"texels", counters.slb_texels},
           {"lines", counters.slb_lines},
@@ -125,11 +142,7 @@ nlohmann::ordered_json report_json(const Trace& trace, const RunResult& result) 
                {"verdict",
                 {{"fragments", summary.fragments}, {"dark", summary.dark}, {"lit", summary.lit}}}};
   if (result.judgement) json["error"] = judgement_json(*result.judgement);
-  if (result.scene_exact) {
-    json["scene_exact"] = {{"compared", result.scene_exact->compared},
-                           {"trace_differs", result.scene_exact->trace_differs},
-                           {"unit_differs", result.scene_exact->unit_differs}};
-  }
+  if (result.scene_exact) json["scene_exact"] = scene_exact_json(*result.scene_exact);
   json["slb"] = slb_json(result.counters);
   json["map"] = {{"width", result.contents.width},
                  {"height", result.contents.height},

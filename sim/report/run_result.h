@@ -8,16 +8,16 @@
 
 #include "model/engine.h"
 #include "model/reference/judge.h"
+#include "model/reference/scene_exact.h"
 #include "model/unit/config.h"
 #include "traces/format/records.h"
 
 namespace kagesen {
 
 /// The end-to-end check: rays against the meshes as they were before snapping.
-struct SceneExactFigures {
-  std::uint64_t compared = 0;       ///< fragments that a ray was sent from
-  std::uint64_t trace_differs = 0;  ///< exact verdict on the trace against the ray's
-  std::uint64_t unit_differs = 0;   ///< the unit's verdict against the ray's
+struct SceneExact {
+  SceneExactReport unit;                  ///< the unit's verdicts
+  std::optional<SceneExactReport> trace;  ///< the exact ones on the trace: what its making cost
 };
 
 struct RunResult {
@@ -27,7 +27,7 @@ struct RunResult {
   MapContents contents;
   UnitCounters counters;
   std::optional<Judgement> judgement;                    ///< absent without the reference
-  std::optional<SceneExactFigures> scene_exact;          ///< absent unless asked for
+  std::optional<SceneExact> scene_exact;  ///< absent unless asked for
   std::vector<std::string> warnings;                     ///< the trace's own, then the unit's
   std::vector<std::pair<std::string, double>> stages_s;  ///< wall time of each stage, in order
 

@@ -22,7 +22,7 @@ class Rows {
 
 std::string displacement(const ErrorFigures& e) {
   if (e.wrong == 0) return "-";
-  return fmt::format("{:.3g} / {:.3g} / {}{:.3g}", e.displacement_mean, e.displacement_p99,
+  return fmt::format("{:.4f} / {:.4f} / {}{:.4f}", e.displacement_mean, e.displacement_p99,
                      e.displacement_capped ? ">" : "", e.displacement_max);
 }
 
@@ -69,6 +69,20 @@ void plain_rows(Rows& rows, const Judgement& judgement) {
   };
   plain("of the same side", judgement.plain_same_side);
   plain("of equal bytes", judgement.plain_equal_bytes);
+}
+
+void scene_exact_rows(Rows& rows, const SceneExact& exact) {
+  rows.heading("Against rays on the meshes before snapping");
+  const auto row = [&](const std::string& label, const std::string& a, const std::string& b) {
+    rows.add(label, fmt::format("{:>26}{:>26}", a, b));
+  };
+  row("", "paper (own ID lit)", "physical");
+  row("judged", grouped(exact.unit.judged), grouped(exact.unit.judged));
+  row("unit differs", grouped(exact.unit.paper.wrong()), grouped(exact.unit.physical.wrong()));
+  if (exact.trace) {
+    row("trace differs", grouped(exact.trace->paper.wrong()),
+        grouped(exact.trace->physical.wrong()));
+  }
 }
 
 std::string chain_text(const UnitCounters& counters) {
@@ -151,13 +165,7 @@ std::string report_table(const Trace& trace, const RunResult& result,
     error_rows(rows, *result.judgement);
     plain_rows(rows, *result.judgement);
   }
-  if (result.scene_exact) {
-    const SceneExactFigures& figures = *result.scene_exact;
-    rows.heading("Against rays on the meshes before snapping");
-    rows.add("compared", grouped(figures.compared));
-    rows.add("unit differs", one_in(figures.unit_differs, figures.compared));
-    rows.add("trace differs", one_in(figures.trace_differs, figures.compared));
-  }
+  if (result.scene_exact) scene_exact_rows(rows, *result.scene_exact);
 
   rows.heading("Time");
   for (const auto& [name, seconds] : result.stages_s) {

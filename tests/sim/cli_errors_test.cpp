@@ -98,6 +98,7 @@ TEST_F(CliErrors, Traces) {
   expect_refusal({"run", "a.trace", "--camera-eye", "1,2,3"}, {"--camera-eye", "a.trace"});
   expect_refusal({"run", "a.trace", "--image", "64x64"}, {"--image", "a.trace"});
   expect_refusal({"run", "a.trace", "--set", "map_width=64"}, {"map_width", "128"});
+  expect_refusal({"run", "a.trace", "--scene-exact"}, {"--scene-exact", "trace"});
   expect_refusal({"run", "a.trace", "--scale", "3"}, {"--scale", "power of two"});
   expect_refusal({"run", "a.trace", "--scale", "2x4"}, {"--scale", "power of two"});
   expect_refusal({"trace", "capture", "a.trace", "b.trace"}, {"a.trace"});

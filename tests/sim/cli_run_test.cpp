@@ -183,6 +183,12 @@ TEST_F(CliRun, CameraAndLight) {
   EXPECT_NE(moved.at("verdict"), spot.at("verdict"));
 }
 
+TEST_F(CliRun, RaysAgree) {
+  const Json exact = report(small({"run", "solids", "--scene-exact"})).at("scene_exact");
+  EXPECT_GT(exact.at("unit").at("judged"), 1000);
+  EXPECT_LE(exact.at("trace").at("physical").at("wrong"), 5);
+}
+
 TEST_F(CliRun, SmallestMap) {
   const Json tiny = report({"run", "solids", "--image", "160x90", "--map", "1"});
   EXPECT_EQ(tiny.at("map").at("width"), 1);

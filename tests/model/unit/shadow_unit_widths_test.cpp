@@ -96,6 +96,7 @@ TEST(UnitWidths, TheHashAndTheRecordsShapeChangeNoContents) {
       const Outcome after = run(frame, config);
       ASSERT_EQ(after.verdicts, before.verdicts) << seed;
       ASSERT_TRUE(after.contents == before.contents) << seed;
+      ASSERT_EQ(after.counters.lines_read, before.counters.lines_read) << seed;
     }
   }
 }
