@@ -48,8 +48,8 @@ EdgeSetup setup_edge(const LightPoint& a, const LightPoint& b, const LightPoint&
   edge.slope = static_cast<std::uint32_t>(((rise << (slope_bits + 1)) + length) / (2 * length));
   if (edge.slope >> slope_bits) edge.slope = (1u << slope_bits) - 1;
 
-  const std::int64_t into_major = major.from - (std::int64_t{edge.first_major} << texel_bits);
-  const std::int64_t into_minor = minor.from - (std::int64_t{edge.first_minor} << texel_bits);
+  const std::int64_t into_major = major.from - edge.first_major * texel;
+  const std::int64_t into_minor = minor.from - edge.first_minor * texel;
   edge.minor = ExactRamp::make(into_minor, -rise * into_major, rise * texel, length);
 
   const std::int64_t dz = std::int64_t{to.z} - from.z;

@@ -3,6 +3,13 @@
 #include <algorithm>
 
 namespace kagesen::unit {
+namespace {
+
+bool has_both_ends(const Line& line) {
+  return line.has(Line::kStartHere) && line.has(Line::kEndHere);
+}
+
+}  // namespace
 
 /// Orders directions by angle: x+ (0 to 45 degrees), y+ (to 90), y- (to 135), x- (to 180).
 std::uint32_t ShadowDecision::angle(const Line& line) const {
@@ -16,16 +23,23 @@ std::uint32_t ShadowDecision::angle(const Line& line) const {
 }
 
 Combine ShadowDecision::by_table7(const Line& a, const Line& b) const {
-  const bool a_first =
-      angle(a) != angle(b) ? angle(a) < angle(b) : a.has(Line::kEndHere) >= b.has(Line::kEndHere);
+  if (angle(a) == angle(b)) return by_fractions(a, b);  // parallel lines do not meet
+  const bool a_first = angle(a) < angle(b);
   const Line& low = a_first ? a : b;
   const Line& high = a_first ? b : a;
   bool end_of_low = low.has(Line::kEndHere);
-  if (vertex_rule_ == VertexRule::kPerLine && end_of_low && low.has(Line::kStartHere)) {
-    // Both ends lie here, and which of them the other line meets is not stored. Taking the end of
-    // the same kind as the other line's is right more often than going on from one to the next
-    // (measured).
-    end_of_low = !high.has(Line::kStartHere);
+  if (vertex_rule_ == VertexRule::kPerLine) {
+    // Outlines that go on from one line to the other have equal L/R, outlines that both start or
+    // both end in their vertex do not. That tells which end of an edge that lies wholly here is the
+    // shared one, and which lines cannot meet at all.
+    if (has_both_ends(low) && has_both_ends(high)) return by_fractions(a, b);
+    const bool goes_on = low.has(Line::kLeft) == high.has(Line::kLeft);
+    const bool end_seen_from_high = high.has(Line::kEndHere) != goes_on;
+    if (has_both_ends(low)) {
+      end_of_low = end_seen_from_high;
+    } else if (!has_both_ends(high) && end_of_low != end_seen_from_high) {
+      return by_fractions(a, b);
+    }
   }
   // Exp1: L/R of B xnor End of A.
   return high.has(Line::kLeft) == end_of_low ? Combine::kOr : Combine::kAnd;

@@ -120,10 +120,9 @@ void ShadowUnit::visit_texel(const OutlineTexel& at, std::uint32_t texel_index) 
   } else if (slb_[entry].lines == 0 || at.nearest < slb_[entry].nearest) {
     slb_.set_nearest(bucket, entry, at.nearest);
   }
-  const bool room = entry != SilhouetteBuffer::kNone && slb_.append(entry, line) &&
-                    (slb_.used() == used || slb_.chain_length(bucket, texel_index) <= link_depth_);
-  if (!room) {
-    ++counters_.overflow_lines;
+  const bool stored = entry != SilhouetteBuffer::kNone && slb_.append(entry, line);
+  if (!stored) ++counters_.overflow_lines;  // what is stored, overflow() counts
+  if (!stored || (slb_.used() != used && slb_.chain_length(bucket, texel_index) > link_depth_)) {
     overflow(texel_index, at.nearest);
     return;
   }

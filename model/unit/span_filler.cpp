@@ -25,7 +25,8 @@ Polygon::Polygon(const Caster& caster, int bits)
 }
 
 bool Polygon::covers_corner(std::int32_t texel_x, std::int32_t texel_y) const {
-  const std::int64_t x = std::int64_t{texel_x} << bits_, y = std::int64_t{texel_y} << bits_;
+  const std::int64_t texel = std::int64_t{1} << bits_;
+  const std::int64_t x = texel_x * texel, y = texel_y * texel;
   for (int i = 0; i < 3; ++i) {
     const LightPoint& a = v_[i];
     const LightPoint& b = v_[(i + 1) % 3];
@@ -55,9 +56,9 @@ void Polygon::make_plane() const {
 
 Int128 Polygon::depth_numerator(std::int32_t texel_x, std::int32_t texel_y) const {
   if (!plane_ready_) make_plane();
-  const std::int64_t half = std::int64_t{1} << (bits_ - 1);
-  const std::int64_t x = (std::int64_t{texel_x} << bits_) + half - v_[0].x;
-  const std::int64_t y = (std::int64_t{texel_y} << bits_) + half - v_[0].y;
+  const std::int64_t texel = std::int64_t{1} << bits_, half = texel / 2;
+  const std::int64_t x = texel_x * texel + half - v_[0].x;
+  const std::int64_t y = texel_y * texel + half - v_[0].y;
   return Int128{gradient_x_} * x + Int128{gradient_y_} * y;
 }
 
@@ -74,7 +75,8 @@ std::uint32_t Polygon::centre_depth(std::int32_t texel_x, std::int32_t texel_y) 
 
 ExactRamp Polygon::centre_ramp(std::int32_t texel_x, std::int32_t texel_y) const {
   const Int128 offset = depth_numerator(texel_x, texel_y);
-  return ExactRamp::make(v_[0].z, offset, Int128{gradient_x_} << bits_, twice_area_);
+  return ExactRamp::make(v_[0].z, offset, Int128{gradient_x_} * (std::int64_t{1} << bits_),
+                         twice_area_);
 }
 
 std::uint32_t Polygon::farthest(std::uint32_t centre) const {
