@@ -53,7 +53,8 @@ Combine ShadowDecision::by_table7_printed(const Line& a, const Line& b) const {
   const bool a_plus = a.has(Line::kXPositive), b_plus = b.has(Line::kXPositive);
   if (a_x == b_x && a_plus == b_plus) return a.slope <= b.slope ? first : second;
   if (a_x) return a_plus ? first : second;
-  // (y+, x+) and (y-, x-) are not printed; they take the row of their own Xsign.
+  // (y+, x+) and (y-, x-) are not printed; they follow the order of the angles.
+  if (b_x && a_plus == b_plus) return a_plus ? second : first;
   return a_plus ? first : second;
 }
 

@@ -156,8 +156,8 @@ TEST(ShadowDecision, Table7EveryRowAsPrinted) {
     Exp exp = kPrinted[a][b];
     // Last row: A Slope <= B Slope, TRUE Exp1, FALSE Exp2.
     if (exp == Exp::kBySlope) exp = one.slope <= two.slope ? Exp::kExp1 : Exp::kExp2;
-    // The gaps take the row of A's own Xsign: (y, +) Exp1, (y, -) Exp2.
-    if (exp == Exp::kNotPrinted) exp = a == 1 ? Exp::kExp1 : Exp::kExp2;
+    // The gaps follow the order of the angles: (y+, x+) Exp2, (y-, x-) Exp1.
+    if (exp == Exp::kNotPrinted) exp = a == 1 ? Exp::kExp2 : Exp::kExp1;
     EXPECT_EQ(decision.combine(one, two, false), evaluate(exp, one, two))
         << kKindNames[a] << ' ' << kKindNames[b] << ' ' << one.slope << ' ' << two.slope;
   });
