@@ -40,10 +40,9 @@ struct RecordBits {
     const int tag = bits_for(static_cast<std::uint64_t>(c.map_width) *
                              static_cast<std::uint64_t>(c.map_height));
     const int count = bits_for(static_cast<std::uint64_t>(c.lines_per_entry) + 1);
-    record = entry + c.lines_per_entry * line + tag + 2 * link + count + kCoveringBits;
+    record = entry + c.lines_per_entry * line + tag + 2 * link + count + 1;  // covers-corner flag
     bucket = link;
   }
-  static constexpr std::int64_t kCoveringBits = 8;  // covering count, polygon-seen flag
   std::int64_t entry, line, record, bucket;
 };
 

@@ -39,7 +39,7 @@ class ShadowUnit {
   };
   void draw_edge(int index, const EdgeSetup& edge);
   void visit_texel(const OutlineTexel& at, std::uint32_t texel);
-  void count_corner(Record& record, const OutlineTexel& at);
+  void mark_corner(Record& record, const OutlineTexel& at);
   void empty_visited();
   void fill_spans();
   void cover(std::uint32_t texel, std::uint32_t centre);
@@ -74,7 +74,7 @@ class ShadowUnit {
 
   // The polygon being drawn.
   const Polygon* polygon_ = nullptr;
-  std::uint32_t object_ = 0, polygon_id_ = 0, serial_ = 0;
+  std::uint32_t object_ = 0, polygon_id_ = 0;
 };
 
 }  // namespace kagesen::unit

@@ -29,7 +29,6 @@ void ShadowUnit::begin(const UnitConfig& config, const FrameSetup& setup) {
   decision_ = ShadowDecision(config);
   combinations_.clear();
   counters_ = UnitCounters{};
-  serial_ = 0;
 }
 
 std::uint32_t ShadowUnit::bucket_at(std::uint32_t texel) const {
@@ -46,7 +45,6 @@ void ShadowUnit::draw(const Caster& caster) {
   polygon_ = &polygon;
   object_ = unit_id(c.object);
   polygon_id_ = c.polygon & polygon_mask_;
-  ++serial_;
 
   const auto [low, high] = std::minmax({c.vertex[0].y, c.vertex[1].y, c.vertex[2].y});
   rows_.begin(
@@ -79,10 +77,9 @@ void ShadowUnit::draw_edge(int index, const EdgeSetup& edge) {
   }
 }
 
-void ShadowUnit::count_corner(Record& record, const OutlineTexel& at) {
-  if (record.polygon_seen == serial_) return;
-  record.polygon_seen = serial_;
-  record.covering += polygon_->covers_corner(at.x - centre_x_, at.y - centre_y_);
+void ShadowUnit::mark_corner(Record& record, const OutlineTexel& at) {
+  record.corner_covered =
+      record.corner_covered || polygon_->covers_corner(at.x - centre_x_, at.y - centre_y_);
 }
 
 void ShadowUnit::visit_texel(const OutlineTexel& at, std::uint32_t texel_index) {
@@ -104,7 +101,7 @@ void ShadowUnit::visit_texel(const OutlineTexel& at, std::uint32_t texel_index) 
         slb_.remove_first(entry, [&](const Line& other) { return cancels(line, other, match_id); });
     if (cancelled) {
       ++counters_.lines_cancelled;
-      count_corner(slb_[entry], at);
+      mark_corner(slb_[entry], at);
       if (slb_[entry].lines == 0) emptied_.push_back({at.x, at.y, texel_index});
       return;
     }
@@ -129,7 +126,7 @@ void ShadowUnit::visit_texel(const OutlineTexel& at, std::uint32_t texel_index) 
   Record& record = slb_[entry];
   if (record.lines == 1 && record.more == SilhouetteBuffer::kNone) record.vertex = false;
   record.vertex |= line.has(Line::kStartHere) || line.has(Line::kEndHere);
-  count_corner(record, at);
+  mark_corner(record, at);
   texel.set_edge(true);
   ++counters_.lines_stored;
 }
@@ -149,13 +146,14 @@ void ShadowUnit::overflow(std::uint32_t texel_index, std::uint32_t depth) {
   texel.set_overflow();
 }
 
-/// Entries without a line after all edges: the texel has one covering count all over.
+/// Entries without a line after all edges: the texel is covered all over or nowhere, as its corner
+/// is.
 void ShadowUnit::empty_visited() {
   for (const Visit& visit : emptied_) {
     const std::uint32_t bucket = bucket_at(visit.texel);
     const std::uint32_t entry = slb_.find(bucket, visit.texel, object_);
     if (entry == SilhouetteBuffer::kNone || slb_[entry].lines != 0) continue;
-    const bool covered = slb_[entry].covering > 0;
+    const bool covered = slb_[entry].corner_covered;
     slb_.erase(bucket, entry);
     update_edge_flag(visit.texel);
     if (!covered) continue;

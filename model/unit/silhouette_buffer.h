@@ -16,10 +16,9 @@ struct Record {
   std::uint32_t nearest = 0;  ///< least depth of the lines since the entry was last empty
   std::uint32_t next = 0;     ///< next entry of the bucket; of a texel, from the light outwards
   std::uint32_t more = 0;     ///< continuation record of this entry
-  std::uint32_t polygon_seen = 0;  ///< last polygon counted in `covering`
-  std::int32_t covering = 0;       ///< polygons crossing the texel whose inside holds its corner
-  std::uint16_t lines = 0;         ///< in this record
+  std::uint16_t lines = 0;    ///< in this record
   bool vertex = false;
+  bool corner_covered = false;  ///< some polygon that crosses the texel holds its corner
 };
 
 class SilhouetteBuffer {

@@ -60,7 +60,7 @@ TEST_P(SlbVectorFiles, AgreeFieldForField) {
   EXPECT_EQ(out.counters.overflow_lines, 0u);
 }
 
-// An emptied entry whose covering count is 0 is not marked covered here (unit.md 2.2); the
+// An emptied entry whose corner no polygon covers is not marked covered here; the
 // independent implementation marks it, which hides two texels of the torus at 4 bits.
 INSTANTIATE_TEST_SUITE_P(Files, SlbVectorFiles,
                          testing::Values(Vector{"glyphs", 1, 4, 0}, Vector{"glyphs", 1, 8, 0},

@@ -38,8 +38,7 @@ class Twin {
     if (!room) return;
     map_[{texel, object}] = {nearest, {}};
     peak_ = std::max(peak_, used());
-    EXPECT_EQ(slb_[at].covering, 0);
-    EXPECT_EQ(slb_[at].polygon_seen, 0u);
+    EXPECT_FALSE(slb_[at].corner_covered);
     EXPECT_FALSE(slb_[at].vertex);
     // Behind all that are as near.
     for (std::uint32_t i = slb_.next_of(at); i != kNone; i = slb_.next_of(i))
@@ -233,15 +232,13 @@ TEST(SilhouetteBuffer, AReusedRecordStartsAfresh) {
   slb.clear(1, 1, 2);
   const std::uint32_t at = slb.insert(0, 1, 0, 5);
   slb[at].vertex = true;
-  slb[at].covering = 3;
-  slb[at].polygon_seen = 9;
+  slb[at].corner_covered = true;
   slb.append(at, line(1));
   slb.erase(0, at);
   const std::uint32_t again = slb.insert(0, 2, 1, 6);
   ASSERT_NE(again, kNone);
   EXPECT_FALSE(slb[again].vertex);
-  EXPECT_EQ(slb[again].covering, 0);
-  EXPECT_EQ(slb[again].polygon_seen, 0u);
+  EXPECT_FALSE(slb[again].corner_covered);
   EXPECT_EQ(slb.line_count(again), 0u);
 }
 
