@@ -97,7 +97,8 @@ bool BoundaryFinder::emit_segments(const Query& q, std::uint32_t caster, unsigne
     const Vector b = depth[k] < z ? v[k] : crossing(i, k);
     if (!emit(a, b, v[(i + 2) % 3], caster)) return false;
   }
-  for (int i = 0; i < 3 && (nearer == 1 || nearer == 2); ++i) {
+  const bool crosses = q.outline == Outline::kWhole && (nearer == 1 || nearer == 2);
+  for (int i = 0; i < 3 && crosses; ++i) {
     // The vertex that is alone on its side of the depth line.
     if ((depth[i] < z) != (nearer == 1)) continue;
     const int k = (i + 1) % 3, l = (i + 2) % 3;

@@ -24,6 +24,7 @@ class BoundaryFinder {
     LightPoint p;
     std::uint32_t object;
     Semantics semantics;
+    Outline outline = Outline::kWhole;
     bool relevant(std::uint32_t o) const {
       return semantics == Semantics::kPhysical || o != object;
     }

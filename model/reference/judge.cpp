@@ -100,9 +100,10 @@ class Judge {
       report("band", i);
       if (!judged_[i]) continue;
       const Fragment& f = fragments()[i];
-      in_band_paper_[i] = reference_.near_boundary(f.position, f.object, Semantics::kPaper, texel);
-      in_band_physical_[i] =
-          reference_.near_boundary(f.position, f.object, Semantics::kPhysical, texel);
+      in_band_paper_[i] =
+          reference_.near_boundary(f.position, f.object, Semantics::kPaper, texel, Outline::kEdges);
+      in_band_physical_[i] = reference_.near_boundary(f.position, f.object, Semantics::kPhysical,
+                                                      texel, Outline::kEdges);
     }
   }
 

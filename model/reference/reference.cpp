@@ -129,9 +129,9 @@ double ExactReference::boundary_distance(const LightPoint& p, std::uint32_t obje
 }
 
 bool ExactReference::near_boundary(const LightPoint& p, std::uint32_t object, Semantics semantics,
-                                   double radius) const {
+                                   double radius, Outline outline) const {
   if (!(radius > 0)) return false;
-  return impl_->boundary().within({p, object, semantics}, radius,
+  return impl_->boundary().within({p, object, semantics, outline}, radius,
                                   [&] { return dark(p, object, semantics); });
 }
 

@@ -240,5 +240,16 @@ TEST(OpenEdges, SharedEdgesCloseOnlyFromBothSides) {
             (std::vector<std::uint8_t>{7, 0}));
 }
 
+// A tilted plate, and a point on it: the plate's own depth line passes through, its edges are far.
+TEST(Boundary, EdgesAloneLeaveOutTheDepthLineOfATiltedSurface) {
+  std::vector<Caster> plate(1);
+  plate[0] = {{{-1000, -1000, 0}, {3000, -1000, 4000}, {-1000, 3000, 0}}, 1, 0};
+  const ExactReference reference(plate);
+  const LightPoint on_plate{0, 0, 1000};
+  EXPECT_TRUE(reference.near_boundary(on_plate, 1, Semantics::kPhysical, 10));
+  EXPECT_FALSE(reference.near_boundary(on_plate, 1, Semantics::kPhysical, 10, Outline::kEdges));
+  EXPECT_TRUE(reference.near_boundary(on_plate, 1, Semantics::kPhysical, 1001, Outline::kEdges));
+}
+
 }  // namespace
 }  // namespace kagesen
