@@ -110,7 +110,7 @@ bool BoundaryFinder::emit_segments(const Query& q, std::uint32_t caster, unsigne
   return true;
 }
 
-/// Calls emit(Segment) for every piece within the radius, some of them more than once.
+/// Calls emit(Segment) for every piece within the radius; depth lines may come more than once.
 template <class Emit>
 bool BoundaryFinder::visit_segments(const Query& q, double radius, Emit emit) const {
   const Box box{clamped(q.p.x - radius - 1), clamped(q.p.y - radius - 1),
@@ -128,11 +128,19 @@ bool BoundaryFinder::visit_segments(const Query& q, double radius, Emit emit) co
     const double scale = std::hypot(n.x, n.y);
     return bool(emit(Segment{distance, a, b, {n.x / scale, n.y / scale}, caster}));
   };
+  // A long caster is listed in many nodes: each is looked at once.
+  thread_local std::vector<std::uint32_t> seen;
+  thread_local std::uint32_t visit = 0;
+  if (seen.size() < open_.size() || ++visit == 0) {
+    seen.assign(std::max(seen.size(), open_.size()), 0);
+    visit = 1;
+  }
+  const bool whole = q.outline == Outline::kWhole;
   const std::uint32_t z = q.p.z;
   return tree_.visit_box(
       box, [&](std::uint32_t node) { return summaries_[node].matters(q); },
       [&](const CasterTree::Node& node) {
-        for (std::uint32_t i = node.covers_begin; i != node.covers_end; ++i) {
+        for (std::uint32_t i = node.covers_begin; whole && i != node.covers_end; ++i) {
           const CasterTree::Cover& cover = tree_.covers()[i];
           if (cover.nearest >= z) break;
           if (cover.farthest < z || !q.relevant(cover.object)) continue;
@@ -141,8 +149,10 @@ bool BoundaryFinder::visit_segments(const Query& q, double radius, Emit emit) co
         for (std::uint32_t i = node.refs_begin; i != node.refs_end; ++i) {
           const CasterTree::Ref& ref = tree_.refs()[i];
           if (ref.nearest >= z) break;
+          if (seen[ref.caster] == visit) continue;
+          seen[ref.caster] = visit;
           const Caster& c = tree_.casters()[ref.caster];
-          if (open_[ref.caster] == 0 && farthest_depth(c) < z) continue;
+          if (open_[ref.caster] == 0 && (!whole || farthest_depth(c) < z)) continue;
           if (!q.relevant(c.object) || !bounding_box(c).meets(box)) continue;
           if (!emit_segments(q, ref.caster, open_[ref.caster], take)) return false;
         }

@@ -71,7 +71,8 @@ class BoundaryFinder {
     }
     bool matters(const Query& q) const {
       if (q.semantics == Semantics::kPaper && object == q.object) return false;
-      return open_nearest < q.p.z || (cut_nearest < q.p.z && q.p.z <= cut_farthest);
+      const bool cut = q.outline == Outline::kWhole && cut_nearest < q.p.z && q.p.z <= cut_farthest;
+      return cut || open_nearest < q.p.z;
     }
   };
 
