@@ -60,7 +60,7 @@ struct UnitCounters {
   std::uint64_t peak_entries = 0;  ///< records in use at once, continuation records included
   std::uint64_t collisions = 0;    ///< texels whose bucket another texel holds too
   std::uint64_t overflow_lines = 0, overflow_texels = 0;
-  std::uint64_t payload_bytes = 0;    ///< entries and lines alone, unit.md 2.9
+  std::uint64_t payload_bytes = 0;    ///< entries and lines alone (docs/unit.md)
   std::uint64_t allocated_bytes = 0;  ///< peak records with tags and links, and the bucket table
   std::uint64_t map_bytes = 0;        ///< shadow, ID and edge buffers
   std::uint64_t max_chain = 0;        ///< records walked in the longest texel

@@ -30,8 +30,7 @@ int bits_for(std::uint64_t values) {
   return bits;
 }
 
-/// Bits of a stored entry and line, payload alone: 42 and 36 by default, as Table 8 implies
-/// (unit.md 2.9).
+/// Bits of a stored entry and line, payload alone: 42 and 36 by default, as Table 8 implies.
 struct RecordBits {
   explicit RecordBits(const UnitConfig& c) {
     entry = c.depth_bits + c.id_bits + 2;  // Vertex Flag, Edge Flag

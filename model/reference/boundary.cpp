@@ -160,18 +160,12 @@ bool BoundaryFinder::visit_segments(const Query& q, double radius, Emit emit) co
       });
 }
 
-bool BoundaryFinder::any_candidate(const Query& q, double radius) const {
-  return !visit_segments(q, radius, [](const Segment&) { return false; });
-}
-
-bool BoundaryFinder::uncovered_soon(const Query& q, double radius) const {
-  int probes = 8;
-  bool found = false;
-  visit_segments(q, radius, [&](const Segment& s) {
-    found = uncovered_distance(q, s, radius) < radius;
-    return !found && --probes > 0;
-  });
-  return found;
+bool BoundaryFinder::edge_within(const Query& q, double radius) const {
+  for (double ring = first_radius(q);; ring *= 2) {
+    ring = std::min(ring, radius);
+    if (!visit_segments(q, ring, [](const Segment&) { return false; })) return true;
+    if (ring >= radius) return false;
+  }
 }
 
 double BoundaryFinder::first_radius(const Query& q) const {

@@ -14,6 +14,12 @@
 
 namespace kagesen {
 
+/// What counts as the outline of a shadow at one depth.
+enum class Outline : std::uint8_t {
+  kWhole,  ///< edges, and the lines at which a surface passes that depth
+  kEdges,  ///< edges alone
+};
+
 class BoundaryFinder {
  public:
   /// Keeps a reference to the tree, which is one of outlines.
@@ -31,22 +37,8 @@ class BoundaryFinder {
   };
   /// Distance to the outline in units, `limit` if none is nearer. `dark`: the exact verdict.
   double distance(const Query& q, bool dark, double limit) const;
-  /// distance() < radius, faster: most points have no edge near, and a lit one may take the first.
-  /// dark() gives the exact verdict and is called only where there is an edge.
-  template <class Dark>
-  bool within(const Query& q, double radius, Dark dark) const {
-    bool known = false, is_dark = false;
-    for (double ring = first_radius(q);; ring *= 2) {
-      ring = std::min(ring, radius);
-      if (any_candidate(q, ring)) {
-        if (!known) is_dark = dark();
-        known = true;
-        // A lit point sees every candidate; a dark one has to look for what covers them.
-        if (!is_dark || uncovered_soon(q, ring) || dark_distance(q, ring) < ring) return true;
-      }
-      if (ring >= radius) return false;
-    }
-  }
+  /// Is there an edge, covered or not, within `radius` units? A lit point sees every one.
+  bool edge_within(const Query& q, double radius) const;
 
  private:
   struct Vector {
@@ -79,10 +71,7 @@ class BoundaryFinder {
   void summarise();
   /// Where searches in growing rings start, units.
   double first_radius(const Query& q) const;
-  /// False if there is no piece of an outline at all within `radius` units, covered or not.
-  bool any_candidate(const Query& q, double radius) const;
   /// True if one of the first few pieces found within `radius` has a lit point there just outside.
-  bool uncovered_soon(const Query& q, double radius) const;
   template <class Emit>
   bool visit_segments(const Query& q, double radius, Emit emit) const;
   template <class Emit>

@@ -1,6 +1,7 @@
 #include "model/reference/cause.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "model/unit/edge_walker.h"
@@ -117,7 +118,8 @@ Cause CauseFinder::false_dark(const Fragment& f, const Place& at) const {
   if (id != at.id && at.depth > contents_.depth[at.index]) {
     // The buffers: this texel is said to be wholly covered.
     if (covered(f, id) || config_.depth_writes == DepthWrites::kAll) return Cause::kDepth;
-    return Cause::kCancelling;
+    // It is not: some of its outline here must have cancelled by rounding.
+    return outline_of(at, id).expected.empty() ? Cause::kOther : Cause::kCancelling;
   }
   const auto [first, last] = entries_at(at.index);
   for (const TexelEntry* e = first; e != last; ++e) {
@@ -158,21 +160,29 @@ Cause CauseFinder::missed_object(const Fragment& f, const Place& at, std::uint32
   }
   const std::uint32_t in_buffer = contents_.object[at.index];
   if (in_buffer == id) return Cause::kDepth;
-  if (!outline_of(at, id).expected.empty()) {
-    const bool hidden = config_.hidden_removal != HiddenRemoval::kOff && in_buffer != kNoObject;
-    return hidden ? Cause::kHiddenRemoval : Cause::kCancelling;
+  const Outline& outline = outline_of(at, id);
+  if (!outline.expected.empty()) {
+    return removed_as_hidden(at, outline) ? Cause::kHiddenRemoval : Cause::kCancelling;
   }
   // It covers the whole texel, and something nearer took its place in the buffers, or nothing did.
-  if (in_buffer == kNoObject) return Cause::kCancelling;
+  if (in_buffer == kNoObject) return outline.crossed ? Cause::kCancelling : Cause::kOther;
   return in_buffer == at.id ? Cause::kIdRule : Cause::kDepth;
 }
 
-std::vector<CauseFinder::OutlineLine> CauseFinder::exact_outline(const Place& at,
-                                                                 std::uint32_t id) const {
+/// Lines may be gone as hidden only where what covers the texel is nearer than they are.
+bool CauseFinder::removed_as_hidden(const Place& at, const Outline& outline) const {
+  return config_.hidden_removal != HiddenRemoval::kOff &&
+         std::any_of(outline.expected.begin(), outline.expected.end(), [&](const OutlineLine& l) {
+           return contents_.depth[at.index] < l.nearest >> (kDepthBits - config_.depth_bits);
+         });
+}
+
+void CauseFinder::find_outline(const Place& at, std::uint32_t id, Outline& out) const {
   const int bits = static_cast<int>(setup_.fraction_bits);
-  const std::int32_t x0 = (at.x - static_cast<std::int32_t>(contents_.width / 2)) << bits;
-  const std::int32_t y0 = (at.y - static_cast<std::int32_t>(contents_.height / 2)) << bits;
+  const std::int32_t texel_x = at.x - static_cast<std::int32_t>(contents_.width / 2);
+  const std::int32_t texel_y = at.y - static_cast<std::int32_t>(contents_.height / 2);
   const std::int32_t size = 1 << bits;
+  const std::int32_t x0 = texel_x * size, y0 = texel_y * size;
   std::vector<std::uint32_t> casters;
   reference_.casters_in(x0, y0, x0 + size, y0 + size, casters);
   std::vector<OutlineLine> lines;
@@ -193,7 +203,7 @@ std::vector<CauseFinder::OutlineLine> CauseFinder::exact_outline(const Place& at
       for (unit::EdgeWalker walker(edge, bits, static_cast<int>(config_.fraction_bits));;
            walker.step()) {
         const unit::OutlineTexel texel = walker.texel();
-        if ((texel.x << bits) == x0 && (texel.y << bits) == y0) {
+        if (texel.x == texel_x && texel.y == texel_y) {
           lines.push_back({texel.line, a, b, texel.nearest});
           break;
         }
@@ -205,7 +215,8 @@ std::vector<CauseFinder::OutlineLine> CauseFinder::exact_outline(const Place& at
   const auto ends = [](const OutlineLine& l) {
     return std::tie(l.from.x, l.from.y, l.to.x, l.to.y);
   };
-  std::vector<OutlineLine> kept;
+  out.crossed = !lines.empty();
+  std::vector<OutlineLine>& kept = out.expected;
   for (const OutlineLine& line : lines) {
     const auto partner = std::find_if(kept.begin(), kept.end(), [&](const OutlineLine& other) {
       return ends(other) == ends(line) && other.line.has(Line::kLeft) != line.line.has(Line::kLeft);
@@ -216,14 +227,13 @@ std::vector<CauseFinder::OutlineLine> CauseFinder::exact_outline(const Place& at
       kept.push_back(line);
     }
   }
-  return kept;
 }
 
 const CauseFinder::Outline& CauseFinder::outline_of(const Place& at, std::uint32_t id) const {
   const auto [it, fresh] = outlines_.try_emplace(std::uint64_t{at.index} << 32 | id);
   Outline& out = it->second;
   if (!fresh) return out;
-  out.expected = exact_outline(at, id);
+  find_outline(at, id, out);
   const TexelEntry* entry = entry_of(at, id);
   if (entry == nullptr || entry->lines.size() != out.expected.size()) return out;
   std::vector<OutlineLine> rest = out.expected;
@@ -243,19 +253,42 @@ Cause CauseFinder::outline(const Fragment& f, const Place& at, const TexelEntry&
                            bool covered) const {
   const Outline& exact = outline_of(at, entry.object);
   if (!exact.equal) {
-    const bool hidden =
-        config_.hidden_removal == HiddenRemoval::kCentre &&
-        entry.lines.size() < exact.expected.size() &&
-        std::any_of(exact.expected.begin(), exact.expected.end(),
-                    [&](const OutlineLine& l) { return contents_.depth[at.index] < l.nearest; });
-    return hidden ? Cause::kHiddenRemoval : Cause::kCancelling;
+    const bool fewer = entry.lines.size() < exact.expected.size();
+    return fewer && removed_as_hidden(at, exact) ? Cause::kHiddenRemoval : Cause::kCancelling;
   }
   unit::Combination& combination = combination_of(entry);
-  const bool inside = combination.inside_if([&](std::uint32_t i) {
+  const auto holds = [&](std::uint32_t i) {
     return holds_exactly(combination.lines()[i], exact.match[i].from, exact.match[i].to,
                          f.position);
-  });
-  return inside == covered ? Cause::kQuantisation : Cause::kCombination;
+  };
+  if (combination.inside_if(holds) != covered) return Cause::kCombination;
+  for (std::uint32_t i = 0; i < exact.match.size(); ++i) {
+    const bool misled = decision_.contains(combination.lines()[i], at.point) != holds(i);
+    if (misled && !within_bound(exact.match[i], f, at)) return Cause::kOther;
+  }
+  return Cause::kQuantisation;
+}
+
+/// Is the fragment no farther from the exact edge, along the minor axis, than rounding of the
+/// stored fields may have moved the line? Half a unit of Fraction and of Slope, a whole one
+/// where 1.0 saturated, and what was cut off Mx and My.
+bool CauseFinder::within_bound(const OutlineLine& edge, const Fragment& f, const Place& at) const {
+  const Line& line = edge.line;
+  const double texel = std::ldexp(1.0, static_cast<int>(setup_.fraction_bits));
+  const double mirror = line.has(Line::kXPositive) ? 1 : -1;
+  const bool x_major = line.has(Line::kXMajor);
+  const auto major = [&](const LightPoint& p) { return x_major ? mirror * p.x : double(p.y); };
+  const auto minor = [&](const LightPoint& p) { return x_major ? double(p.y) : mirror * p.x; };
+  const double slope = (minor(edge.to) - minor(edge.from)) / (major(edge.to) - major(edge.from));
+  const double on_edge = minor(edge.from) + slope * (major(f.position) - major(edge.from));
+  const double off = std::abs(minor(f.position) - on_edge) / texel;
+  const auto rounding = [](std::uint32_t field, std::int64_t bits) {
+    const bool largest = field + 1 == 1u << bits;
+    return std::ldexp(largest ? 1.0 : 0.5, -static_cast<int>(bits));
+  };
+  const double cut = std::ldexp(1.0 + slope, -at.point.bits);
+  return off <= rounding(line.fraction, config_.fraction_bits) +
+                    rounding(line.slope, config_.slope_bits) + cut;
 }
 
 }  // namespace kagesen

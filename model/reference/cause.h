@@ -46,6 +46,7 @@ class CauseFinder {
   Cause missed_object(const Fragment& f, const Place& at, std::uint32_t object) const;
   /// An entry's lines held against its object's exact outline in the texel.
   struct Outline {
+    bool crossed = false;  ///< some edge of the object crosses the texel, cancelled or not
     std::vector<OutlineLine> expected;
     bool equal = false;              ///< the stored lines are those of the outline
     std::vector<OutlineLine> match;  ///< if equal: of each stored line
@@ -53,7 +54,9 @@ class CauseFinder {
 
   Cause outline(const Fragment& f, const Place& at, const TexelEntry& entry, bool covered) const;
   const Outline& outline_of(const Place& at, std::uint32_t id) const;
-  std::vector<OutlineLine> exact_outline(const Place& at, std::uint32_t id) const;
+  bool removed_as_hidden(const Place& at, const Outline& outline) const;
+  bool within_bound(const OutlineLine& line, const Fragment& f, const Place& at) const;
+  void find_outline(const Place& at, std::uint32_t id, Outline& out) const;
   unit::Combination& combination_of(const TexelEntry& entry) const;
   bool covered(const Fragment& f, std::uint32_t id) const;
   const TexelEntry* entry_of(const Place& at, std::uint32_t id) const;

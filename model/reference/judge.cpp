@@ -10,10 +10,10 @@ namespace kagesen {
 namespace {
 
 constexpr double kSearchTexels = 8;  // how far a boundary is looked for
-constexpr std::size_t kDisplacementSamples = 4000;
+constexpr std::size_t kDisplacementSamples = 2000;
 constexpr std::size_t kBandSamples = 50000;  // for the equivalent resolution
 
-/// A surface this close in depth is in contact: snapping alone may turn the verdict (unit.md 3).
+/// A surface this close in depth is in contact: snapping alone may turn the verdict.
 constexpr double kContactDepthUnits = 4;
 
 class Judge {
@@ -100,10 +100,8 @@ class Judge {
       report("band", i);
       if (!judged_[i]) continue;
       const Fragment& f = fragments()[i];
-      in_band_paper_[i] =
-          reference_.near_boundary(f.position, f.object, Semantics::kPaper, texel, Outline::kEdges);
-      in_band_physical_[i] = reference_.near_boundary(f.position, f.object, Semantics::kPhysical,
-                                                      texel, Outline::kEdges);
+      in_band_paper_[i] = reference_.in_band(f.position, f.object, Semantics::kPaper, texel);
+      in_band_physical_[i] = reference_.in_band(f.position, f.object, Semantics::kPhysical, texel);
     }
   }
 
@@ -189,7 +187,10 @@ class Judge {
     for (std::size_t i = 0; i < fragments().size(); ++i) {
       if (in_band_paper_[i]) band.push_back(i);
     }
-    if (band.empty()) return;
+    if (band.empty()) {  // any map is as good
+      out_.equivalent_resolution = {1, false};
+      return;
+    }
     const std::size_t stride = (band.size() + kBandSamples - 1) / kBandSamples;
     std::vector<std::size_t> sample;
     std::uint64_t allowed = 0;

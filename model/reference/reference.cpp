@@ -128,11 +128,33 @@ double ExactReference::boundary_distance(const LightPoint& p, std::uint32_t obje
   return impl_->boundary().distance({p, object, semantics}, dark(p, object, semantics), limit);
 }
 
-bool ExactReference::near_boundary(const LightPoint& p, std::uint32_t object, Semantics semantics,
-                                   double radius, Outline outline) const {
-  if (!(radius > 0)) return false;
-  return impl_->boundary().within({p, object, semantics, outline}, radius,
-                                  [&] { return dark(p, object, semantics); });
+bool ExactReference::in_band(const LightPoint& p, std::uint32_t object, Semantics semantics,
+                             double radius) const {
+  if (!dark(p, object, semantics)) {
+    return impl_->boundary().edge_within({p, object, semantics, Outline::kEdges}, radius);
+  }
+  const auto moved = [](std::int32_t from, double by) {
+    return static_cast<std::int32_t>(
+        std::clamp<double>(std::round(from + by), kCoordinateMin, kCoordinateMax));
+  };
+  constexpr double kDiagonal = 0.70710678118654752;
+  constexpr double kDirections[8][2] = {{1, 0},
+                                        {0, 1},
+                                        {-1, 0},
+                                        {0, -1},
+                                        {kDiagonal, kDiagonal},
+                                        {-kDiagonal, kDiagonal},
+                                        {-kDiagonal, -kDiagonal},
+                                        {kDiagonal, -kDiagonal}};
+  for (int quarter = 4; quarter > 0; --quarter) {
+    for (const auto& direction : kDirections) {
+      const double reach = radius * quarter / 4;
+      const LightPoint probe{moved(p.x, direction[0] * reach), moved(p.y, direction[1] * reach),
+                             p.z};
+      if (!dark(probe, object, semantics)) return true;
+    }
+  }
+  return false;
 }
 
 void ExactReference::casters_in(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1,

@@ -15,12 +15,6 @@ enum class Semantics : std::uint8_t {
   kPhysical,  ///< any surface strictly nearer the light
 };
 
-/// What counts as the outline of a shadow at one depth.
-enum class Outline : std::uint8_t {
-  kWhole,  ///< edges, and the lines at which a surface passes that depth
-  kEdges,  ///< edges alone: on a tilted surface its own depth line passes through every point
-};
-
 /// A nearest-depth sample, as a plain shadow map would store.
 struct DepthSample {
   std::uint32_t depth = kDepthMax;     ///< floor of the surface's depth
@@ -61,9 +55,11 @@ class ExactReference {
   /// gaps narrower than 1/16 unit count as closed.
   double boundary_distance(const LightPoint& p, std::uint32_t object, Semantics semantics,
                            double limit) const;
-  /// True if the verdict for this object and depth changes within `radius` units.
-  bool near_boundary(const LightPoint& p, std::uint32_t object, Semantics semantics, double radius,
-                     Outline outline = Outline::kWhole) const;
+  /// Is p within `radius` units of an edge of the shadow at its depth? Lines at which a surface
+  /// passes that depth do not count: on a tilted surface its own passes through every point. A lit
+  /// point is answered exactly; a dark one by whether any of 32 points, in eight directions at a
+  /// quarter to the whole of the radius, is lit.
+  bool in_band(const LightPoint& p, std::uint32_t object, Semantics semantics, double radius) const;
   /// Distance in depth units to the nearest surface of another depth test outcome at p: how close
   /// to contact. It is how far p would have to move in depth for its verdict to change: the
   /// distance to the surface nearest the light among those that may shadow it; infinite where none

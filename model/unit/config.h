@@ -11,7 +11,7 @@ enum class OwnIdRule : std::uint8_t {
   kPerSource,  ///< the source of that ID is passed over
   kLiteral,    ///< as printed: ID buffer equal to the fragment's object decides "lit" at once
 };
-/// What tells that two lines of an entry meet in a vertex (unit.md 2.7).
+/// What tells that two lines of an entry meet in a vertex.
 enum class VertexRule : std::uint8_t {
   kPerLine,   ///< start-here and end-here of each line
   kPerEntry,  ///< as printed: one Vertex Flag an entry, one End Flag a line

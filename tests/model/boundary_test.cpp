@@ -126,8 +126,9 @@ TEST(Boundary, DistanceAgreesWithSampling) {
             << (is_dark ? " dark" : " lit");
         if (expected < limit) ++(is_dark ? dark : lit);
         for (double radius : {0.5, 3.0, 17.0, 60.0}) {
-          if (std::abs(expected - radius) < 1) continue;
-          ASSERT_EQ(reference.near_boundary(p, object, s, radius), expected < radius) << radius;
+          if (expected > radius + 1) {
+            ASSERT_FALSE(reference.in_band(p, object, s, radius)) << radius;
+          }
         }
       }
     }
@@ -146,9 +147,6 @@ TEST(Boundary, DepthLinesOfAMesh) {
     const LightPoint p = g.point(-300, 300, 98, 142);
     const double expected = sampled_distance(casters, p, 1, Semantics::kPaper, 12);
     ASSERT_NEAR(reference.boundary_distance(p, 1, Semantics::kPaper, 12), expected, 1);
-    if (std::abs(expected - 6) > 1) {
-      ASSERT_EQ(reference.near_boundary(p, 1, Semantics::kPaper, 6), expected < 6);
-    }
     found += expected < 12;
   }
   EXPECT_GT(found, 20u);
@@ -167,7 +165,9 @@ TEST(Boundary, NoOtherVerdictIsNearer) {
         for (Semantics s : kBoth) {
           const double distance = reference.boundary_distance(p, object, s, 12);
           const bool dark = reference.dark(p, object, s);
-          ASSERT_EQ(reference.near_boundary(p, object, s, 12), distance < 12);
+          if (distance >= 12) {
+            ASSERT_FALSE(reference.in_band(p, object, s, 11));
+          }
           for (int dy = -12; dy <= 12; ++dy) {
             for (int dx = -12; dx <= 12; ++dx) {
               if (std::hypot(dx, dy) >= distance - 0.02) continue;
@@ -194,9 +194,9 @@ TEST(Boundary, KnownDistances) {
   EXPECT_NEAR(reference.boundary_distance(p, 1, Semantics::kPaper, 1e6), 500, 0.1);
   EXPECT_NEAR(reference.boundary_distance(p, 0, Semantics::kPaper, 1e6), 400, 0.1);  // lit: outside
   EXPECT_EQ(reference.boundary_distance(p, 9, Semantics::kPaper, 300), 300);
-  EXPECT_TRUE(reference.near_boundary(p, 9, Semantics::kPaper, 1001));
-  EXPECT_FALSE(reference.near_boundary(p, 9, Semantics::kPaper, 999));
-  EXPECT_FALSE(reference.near_boundary({500, 0, 50}, 1, Semantics::kPaper, 1e6));
+  EXPECT_TRUE(reference.in_band(p, 9, Semantics::kPaper, 1001));
+  EXPECT_FALSE(reference.in_band(p, 9, Semantics::kPaper, 999));
+  EXPECT_FALSE(reference.in_band({500, 0, 50}, 1, Semantics::kPaper, 1e6));
   EXPECT_EQ(reference.boundary_distance({500, 0, 50}, 1, Semantics::kPaper, 1e6), 1e6);
 }
 
@@ -241,14 +241,25 @@ TEST(OpenEdges, SharedEdgesCloseOnlyFromBothSides) {
 }
 
 // A tilted plate, and a point on it: the plate's own depth line passes through, its edges are far.
-TEST(Boundary, EdgesAloneLeaveOutTheDepthLineOfATiltedSurface) {
-  std::vector<Caster> plate(1);
-  plate[0] = {{{-1000, -1000, 0}, {3000, -1000, 4000}, {-1000, 3000, 0}}, 1, 0};
+TEST(Boundary, TheBandLeavesOutTheDepthLineOfATiltedSurface) {
+  const std::vector<Caster> plate = {
+      {{{-1000, -1000, 0}, {3000, -1000, 4000}, {-1000, 3000, 0}}, 1, 0}};
   const ExactReference reference(plate);
   const LightPoint on_plate{0, 0, 1000};
-  EXPECT_TRUE(reference.near_boundary(on_plate, 1, Semantics::kPhysical, 10));
-  EXPECT_FALSE(reference.near_boundary(on_plate, 1, Semantics::kPhysical, 10, Outline::kEdges));
-  EXPECT_TRUE(reference.near_boundary(on_plate, 1, Semantics::kPhysical, 1001, Outline::kEdges));
+  EXPECT_LT(reference.boundary_distance(on_plate, 1, Semantics::kPhysical, 10), 1);
+  EXPECT_FALSE(reference.in_band(on_plate, 1, Semantics::kPhysical, 10));
+  EXPECT_TRUE(reference.in_band(on_plate, 1, Semantics::kPhysical, 1001));
+}
+
+/// On both sides of a straight edge the band ends at its width.
+TEST(Boundary, TheBandIsAsWideAsItsRadius) {
+  const std::vector<Caster> half_plane = {
+      {{{0, -100'000, 10}, {0, 100'000, 10}, {-100'000, 0, 10}}, 1, 0}};
+  const ExactReference reference(half_plane);
+  for (int x = -60; x <= 60; ++x) {
+    if (std::abs(x) == 20) continue;
+    EXPECT_EQ(reference.in_band({x, 7, 50}, 2, Semantics::kPaper, 20), std::abs(x) < 20) << x;
+  }
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ struct Expected {
   bool cross, start, end;
 };
 
-/// The texels that hold a point P(t), 0 <= t < 1, of the segment; sides count as in unit.md 1.3.
+/// The texels that hold a point P(t), 0 <= t < 1, of the segment; sides count as docs/unit.md has it.
 std::map<std::pair<int, int>, Expected> crossed(LightPoint a, LightPoint b, int fraction_bits) {
   if (b.y < a.y || (b.y == a.y && b.x < a.x)) std::swap(a, b);
   const int sign = b.x < a.x ? -1 : 1;

@@ -87,7 +87,7 @@ inline bool operator==(const MapContents& a, const MapContents& b) {
 }
 
 /// Closed solids: `count` random octahedra, each an object of its own, and fragments all over.
-/// Only triangles that face the light are drawn, as unit.md 1.1 has it. No vertex lies on a
+/// Only triangles that face the light are drawn, as docs/unit.md has it. No vertex lies on a
 /// texel's border, and no edge is horizontal or vertical.
 class RandomScene {
  public:

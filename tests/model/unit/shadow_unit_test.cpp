@@ -47,7 +47,7 @@ const Row kTable4[] = {
     {"edge, within the 2nd", fragment_at(3 * kEighth, 5, 1000, kReceiver), kDark, kDark, 2},
     {"edge, within the 3rd", fragment_at(5 * kEighth, 5, 1000, kReceiver), kDark, kDark, 3},
     {"edge, within none", fragment_at(7 * kEighth, 5, 1000, kReceiver), kLit, kLit, 3},
-    // What the table omits: the fragment lies before the entry's depth (unit.md 2.5).
+    // What the table omits: the fragment lies before the entry's depth.
     {"within the 2nd, before it", fragment_at(3 * kEighth, 5, 150, kReceiver), kLit, kLit, 1},
     {"within the 2nd, as deep", fragment_at(3 * kEighth, 5, 200, kReceiver), kLit, kLit, 1},
     // An entry of the fragment's own ID does not shadow it; the next does.
@@ -179,7 +179,7 @@ TEST(ShadowUnit, PolygonIdsKeepASliversSidesApart) {
   config.match_polygon_id = false;
   const Outcome out = run({{sliver}, {}}, config);
   EXPECT_GT(out.counters.lines_cancelled, 2u);
-  // A texel that the sliver emptied is not covered by it: the count is 0 (unit.md 2.2).
+  // A texel that the sliver emptied is not covered by it: the count is 0.
   EXPECT_EQ(out.contents.object[8 * 16 + 8], kNoObject);
 }
 

@@ -192,7 +192,7 @@ TEST(Wedge, LinesWithoutAVertexCombineByTheirFractions) {
   }
   // One within the other, both the same way: the product, which is the narrower.
   EXPECT_EQ(decision.combine(with(low, true), with(high, true), false), Combine::kAnd);
-  // The tie of two equal lines: AND (unit.md 2.8).
+  // The tie of two equal lines: AND.
   EXPECT_EQ(decision.combine(with(low, true), with(low, true), false), Combine::kAnd);
 }
 
