@@ -31,10 +31,10 @@ enum class HiddenRemoval : std::uint8_t {
   kOff,
   kCentre,    ///< its depth at the texel's centre is nearer than the lines; later lines are refused
               ///< alike
-  kFarthest,  ///< its farthest depth in the texel is: never removes what shows, and refuses nothing
+  kFarthest,  ///< its farthest depth in the texel is; refuses nothing
 };
 
-/// Defaults are the unit as the README measures it. Limits and help texts: config_fields().
+/// Defaults are the unit that docs/results.md measures. Limits and help texts: config_fields().
 struct UnitConfig {
   std::int64_t map_width = 1024, map_height = 1024;  // texels
   std::int64_t fraction_bits = 8;                    // UQ0.n of Fraction
@@ -44,7 +44,7 @@ struct UnitConfig {
   std::int64_t polygon_id_bits = 14;                 // Polygon ID of a line
   std::int64_t position_bits = 0;                    // of Mx and My; 0: all the trace has
   std::int64_t lines_per_entry = 3;
-  std::int64_t link_depth = 64;       // entries a texel may hold
+  std::int64_t link_depth = 1024;     // linked records a texel may hold
   std::int64_t slb_buckets = 16384;   // of the address hash, a power of two
   std::int64_t slb_entries = 262144;  // capacity of the SLB
   OwnIdRule own_id_rule = OwnIdRule::kPerSource;
