@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -51,10 +52,18 @@ void run(RunOptions& options) {
   // Every place is opened before the work, so that a bad one costs no time.
   Outputs outputs;
   outputs.make_folder(options.folder);
-  std::ostream& report = outputs.open(options.folder + "/report.json");
+  std::error_code ignored;
+  if (std::filesystem::exists(options.input.name, ignored)) {
+    outputs.reserve(options.input.name, "INPUT");
+  }
+  if (!options.no_images) {
+    for (const char* name : kPictureNames) outputs.reserve(options.folder + "/" + name, "--out");
+  }
+  std::ostream& report = outputs.open(options.folder + "/report.json", "--out");
   std::ostream* json =
-      options.json.empty() || json_to_stdout ? nullptr : &outputs.open(options.json);
-  std::ostream* verdicts = options.verdicts.empty() ? nullptr : &outputs.open(options.verdicts);
+      options.json.empty() || json_to_stdout ? nullptr : &outputs.open(options.json, "--json");
+  std::ostream* verdicts =
+      options.verdicts.empty() ? nullptr : &outputs.open(options.verdicts, "--verdicts");
 
   Stopwatch watch;
   const Source source = resolve_input(options.input);
@@ -120,8 +129,9 @@ void add_run(CLI::App& app) {
       .add_flag("--no-reference", options->no_reference,
                 "Does not hold the verdicts against the exact ones")
       ->group("Output");
-  command.add_flag("--scene-exact", options->scene_exact,
-                   "Also sends rays to the meshes as they were before snapping")
+  command
+      .add_flag("--scene-exact", options->scene_exact,
+                "Also sends rays to the meshes as they were before snapping")
       ->group("Output");
   command.footer(
       "Examples:\n"

@@ -129,6 +129,19 @@ TEST_F(CliErrors, Places) {
   expect_refusal(small({"run", "--verdicts", "/dev/full"}), {"/dev/full", "No space left"});
 }
 
+TEST_F(CliErrors, OneFileForTwoOutputs) {
+  expect_refusal({"run", "--out", "o", "--json", "o/report.json"}, {"--json", "--out"});
+  expect_refusal({"run", "--out", "o", "--verdicts", "./o/mask.png"}, {"--verdicts", "--out"});
+  expect_refusal({"run", "--out", "o", "--json", "same", "--verdicts", "same"},
+                 {"--json", "--verdicts", "same"});
+  EXPECT_FALSE(std::filesystem::exists(path("o")));
+  EXPECT_FALSE(std::filesystem::exists(path("same")));
+  write_file(path("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
+  const std::string before = read_file(path("a.obj"));
+  expect_refusal({"run", "a.obj", "--json", "./a.obj"}, {"--json", "INPUT"});
+  EXPECT_EQ(read_file(path("a.obj")), before);
+}
+
 TEST_F(CliErrors, DiskThatFillsUp) {
   Limits limits;
   limits.file_bytes = 3000;
@@ -145,18 +158,21 @@ TEST_F(CliErrors, DiskThatFillsUp) {
 }
 
 TEST_F(CliErrors, InterruptLeavesNothing) {
-  Limits limits;
-  limits.meanwhile = [&](pid_t child) {
-    // The report's part is opened before the work begins.
-    for (int i = 0; i < 2000 && !std::filesystem::exists(path("out/report.json.part")); ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    kill(child, SIGINT);
-  };
-  const Outcome outcome = run({"run", "sphere1m", "--verdicts", "v.txt"}, limits);
-  EXPECT_EQ(outcome.status, 130);
-  EXPECT_FALSE(std::filesystem::exists(path("out/report.json.part")));
-  EXPECT_FALSE(std::filesystem::exists(path("v.txt.part")));
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    Limits limits;
+    limits.meanwhile = [&](pid_t child) {
+      // The verdicts' part is the last to be opened before the work begins.
+      for (int i = 0; i < 2000 && !std::filesystem::exists(path("v.txt.part")); ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      }
+      kill(child, signal);
+    };
+    const Outcome outcome =
+        run({"run", "sphere1m", "--out", "new/out", "--verdicts", "v.txt"}, limits);
+    EXPECT_EQ(outcome.status, 128 + signal);
+    EXPECT_FALSE(std::filesystem::exists(path("v.txt.part")));
+    EXPECT_FALSE(std::filesystem::exists(path("new")));
+  }
 }
 
 }  // namespace

@@ -71,6 +71,36 @@ TEST_F(OutputsTest, RefusesFoldersAndFullDevices) {
   EXPECT_TRUE(fs::exists("/dev/full"));
 }
 
+TEST_F(OutputsTest, RefusesOneFileTwice) {
+  fs::create_directory(path("x"));
+  fs::create_directory_symlink(path("x"), path("link"));
+  Outputs outputs;
+  outputs.reserve(path("x/picture"), "--out");
+  outputs.open(path("x/a"), "--out");
+  EXPECT_THROW(outputs.open(path("x/a"), "--out"), UserError);
+  EXPECT_THROW(outputs.open(path("x/../x/./a"), "--json"), UserError);
+  EXPECT_THROW(outputs.open(path("link/a"), "--json"), UserError);
+  EXPECT_THROW(outputs.open(path("x/picture"), "--json"), UserError);
+  EXPECT_NO_THROW(outputs.open(path("x/picture"), "--out"));
+  EXPECT_NO_THROW(outputs.open("/dev/null", "--json"));
+  EXPECT_NO_THROW(outputs.open("/dev/null", "--verdicts"));
+}
+
+TEST_F(OutputsTest, CommitThatFailsHalfWayLeavesNoNewFile) {
+  std::ofstream(path("old")) << "old";
+  {
+    Outputs outputs;
+    outputs.write(path("new"), "text");
+    outputs.write(path("old"), "text");
+    outputs.write(path("refused"), "text");
+    fs::create_directory(path("refused"));
+    EXPECT_THROW(outputs.commit(), UserError);
+  }
+  EXPECT_FALSE(fs::exists(path("new")));
+  EXPECT_TRUE(fs::exists(path("old")));
+  EXPECT_FALSE(fs::exists(path("refused.part")));
+}
+
 /// Two objects on a 4 x 2 image, one fragment a pixel but the first; the last is wrong.
 struct Tiny {
   Trace trace;
