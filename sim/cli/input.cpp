@@ -154,6 +154,12 @@ Source resolve_input(const InputOptions& options) {
     refuse_scene_options(options, name);
     return TracePath{name};
   }
+  if (!options.gbuffer.empty()) {
+    const std::string given = first_given({{"--image", &options.image}, {"--mode", &options.mode}});
+    if (!given.empty()) {
+      throw UserError(given, "the pixels of --gbuffer are taken as they are", "leave it out");
+    }
+  }
   Scene scene;
   if (is_file) {
     scene = import_mesh(name, import_options(options));

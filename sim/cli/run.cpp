@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -52,10 +51,8 @@ void run(RunOptions& options) {
   // Every place is opened before the work, so that a bad one costs no time.
   Outputs outputs;
   outputs.make_folder(options.folder);
-  std::error_code ignored;
-  if (std::filesystem::exists(options.input.name, ignored)) {
-    outputs.reserve(options.input.name, "INPUT");
-  }
+  outputs.reserve_input(options.input.name, "INPUT");
+  outputs.reserve_input(options.input.gbuffer, "--gbuffer");
   if (!options.no_images) {
     for (const char* name : kPictureNames) outputs.reserve(options.folder + "/" + name, "--out");
   }
@@ -108,7 +105,7 @@ void add_run(CLI::App& app) {
   auto options = std::make_shared<RunOptions>();
   CLI::App& command = *app.add_subcommand(
       "run", "Decides the shadows of a frame as the unit would, and judges every verdict");
-  add_input_options(command, options->input);
+  add_input_options(command, options->input, InputUse::kRun);
   add_settings_options(command, options->settings);
   command.add_option("--engine", options->simulate.engine, "What decides: golden")
       ->type_name("NAME")

@@ -124,6 +124,17 @@ void Outputs::reserve(const std::string& path, const std::string& role) {
   claim(path, role, /*opened=*/false);
 }
 
+void Outputs::reserve_input(const std::string& path, const std::string& role) {
+  std::error_code ignored;
+  if (fs::exists(path, ignored)) reserve(path, role);
+}
+
+void Outputs::check() const {
+  for (const auto& file : files_) {
+    if (file->stream.error() != 0) refuse(file->path, file->stream.error());
+  }
+}
+
 void Outputs::claim(const std::string& path, const std::string& role, bool opened) {
   std::error_code ignored;
   // Two outputs may share a device.

@@ -40,6 +40,10 @@ class Outputs {
   void make_folder(const std::string& path);
   /// Keeps `path` from being opened under another name; `role` says what it is ("--json").
   void reserve(const std::string& path, const std::string& role);
+  /// The same for a file that is read; a name without a file is left alone.
+  void reserve_input(const std::string& path, const std::string& role);
+  /// Throws UserError naming the first file that could not be written so far.
+  void check() const;
   /// A stream that lives as long as this object. `path` must lie in an existing folder.
   /// @param role  as in reserve(); a path that was reserved is opened with the same one
   std::ostream& open(const std::string& path, const std::string& role = "output");

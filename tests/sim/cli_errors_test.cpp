@@ -61,7 +61,14 @@ TEST_F(CliErrors, Configuration) {
   write_file(path("range.toml"), "slope_bits = 4\nfraction_bits = 99\n");
   expect_refusal({"config", "--config", "range.toml"}, {"range.toml:2", "fraction_bits"});
   write_file(path("kind.toml"), "slope_bits = 4.5\n");
-  expect_refusal({"config", "--config", "kind.toml"}, {"kind.toml:1", "slope_bits"});
+  expect_refusal({"config", "--config", "kind.toml"},
+                 {"kind.toml:1", "slope_bits: takes a whole", "1 to "});
+  write_file(path("text.toml"), "slope_bits = \"4\"\n");
+  expect_refusal({"config", "--config", "text.toml"}, {"text.toml:1", "slope_bits: takes a whole"});
+  write_file(path("word.toml"), "table7 = 7\n");
+  expect_refusal({"config", "--config", "word.toml"}, {"word.toml", "corrected", "printed"});
+  write_file(path("flag.toml"), "match_polygon_id = 1\n");
+  expect_refusal({"config", "--config", "flag.toml"}, {"flag.toml:1", "true", "false"});
   write_file(path("table.toml"), "[slope_bits]\nvalue = 4\n");
   expect_refusal({"config", "--config", "table.toml"}, {"table.toml:1", "slope_bits"});
   write_file(path("twice.toml"), "slope_bits = 4\nslope_bits = 4\n");
@@ -116,6 +123,34 @@ TEST_F(CliErrors, Traces) {
     expect_refusal({"trace", "dump", name, "dump.txt"}, {name});
     EXPECT_FALSE(std::filesystem::exists(path("dump.txt")));
   }
+}
+
+TEST_F(CliErrors, GBufferOptions) {
+  for (const char* option : {"--image", "--mode"}) {
+    const std::string value = option == std::string("--image") ? "64x64" : "all";
+    expect_refusal({"run", "--gbuffer", "g.exr", option, value}, {option, "--gbuffer"});
+    expect_refusal({"trace", "capture", "solids", "a.trace", "--gbuffer", "g.exr", option, value},
+                   {option, "--gbuffer"});
+  }
+  for (const char* option : {"--mode", "--map", "--scale", "--gbuffer"}) {
+    expect_refusal({"gbuffer", "solids", "g.exr", option, "1"}, {option});
+  }
+  EXPECT_EQ(run({"gbuffer", "--help"}).out.find("default: the first"), std::string::npos);
+}
+
+TEST_F(CliErrors, TraceFiles) {
+  ASSERT_EQ(run(small({"trace", "capture", "solids", "a.trace"})).status, 0);
+  const std::string good = read_file(path("a.trace"));
+  write_file(path("hand"), "end\n");
+  expect_refusal({"trace", "dump", "a.trace", "./a.trace"}, {"a.trace", "same file"});
+  expect_refusal({"trace", "make", "hand", "./hand"}, {"hand", "same file"});
+  EXPECT_EQ(read_file(path("a.trace")), good);
+  EXPECT_EQ(read_file(path("hand")), "end\n");
+  expect_refusal({"trace", "make", "-", "b.trace"}, {"standard input", "nothing to read"});
+  expect_refusal({"trace", "make", "hand", "-"}, {"needs a file"});
+  expect_refusal({"trace", "capture", "solids", "-"}, {"needs a file"});
+  expect_refusal({"trace", "dump", "a.trace", "/dev/full"}, {"/dev/full", "No space left"});
+  EXPECT_FALSE(std::filesystem::exists(path("b.trace")));
 }
 
 TEST_F(CliErrors, Places) {
