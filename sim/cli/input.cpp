@@ -11,6 +11,7 @@
 #include "sim/cli/parse.h"
 #include "traces/format/error.h"
 #include "traces/format/trace_file.h"
+#include "traces/format/words.h"
 
 namespace kagesen {
 namespace {
@@ -258,8 +259,8 @@ void rescale(Trace& trace, const std::string& scale) {
       header.scale_y * y > 1024) {
     throw UserError(
         "--scale " + scale,
-        fmt::format("the trace has scale {:g} x {:g} and {} fraction bits already", header.scale_x,
-                    header.scale_y, header.fraction_bits),
+        fmt::format("the trace has scale {:g} x {:g} and {} already", header.scale_x,
+                    header.scale_y, counted(header.fraction_bits, "fraction bit")),
         fmt::format("at most scale {}",
                     1u << (kMaxFractionBits -
                            std::min<std::uint32_t>(header.fraction_bits, kMaxFractionBits))));

@@ -82,18 +82,19 @@ void print_info(const std::string& path) {
   row("source", header.source);
   row("sha256", header.source_sha256);
   row("light", header.light);
-  row("map", fmt::format("{} x {} texels, {} fraction bits, scale {:g} x {:g}", header.map_width,
-                         header.map_height, header.fraction_bits, header.scale_x, header.scale_y));
+  row("map",
+      fmt::format("{} x {} texels, {}, scale {:g} x {:g}", header.map_width, header.map_height,
+                  counted(header.fraction_bits, "fraction bit"), header.scale_x, header.scale_y));
   row("image", fmt::format("{} x {}, {} fragments", header.image_width, header.image_height,
                            mode_name(header.mode)));
   row("casters", grouped(totals.casters));
   row("fragments", grouped(totals.fragments));
-  row("file", fmt::format("{} in {} chunks, {} uncompressed", bytes_text(totals.file_bytes),
-                          totals.chunks, bytes_text(totals.raw_bytes)));
+  row("file", fmt::format("{} in {}, {} uncompressed", bytes_text(totals.file_bytes),
+                          counted(totals.chunks, "chunk"), bytes_text(totals.raw_bytes)));
   for (const std::string& warning : header.warnings) row("warning", warning);
   row("objects", grouped(header.objects.size()));
   for (const ObjectInfo& object : header.objects) {
-    row("", fmt::format("{}: {} triangles, {}{}", object.name, grouped(object.triangles),
+    row("", fmt::format("{}: {}, {}{}", object.name, counted(object.triangles, "triangle"),
                         object.closed ? "closed" : "open", object.caster ? "" : ", receives only"));
   }
 }
@@ -101,8 +102,8 @@ void print_info(const std::string& path) {
 void verify(const std::string& path) {
   Checker checker;
   const TraceTotals totals = read_trace(path, checker);
-  std::cout << fmt::format("{}: whole; {} casters, {} fragments, {} chunks\n", path,
-                           grouped(totals.casters), grouped(totals.fragments), totals.chunks);
+  std::cout << fmt::format("{}: whole; {}, {}, {}\n", path, counted(totals.casters, "caster"),
+                           counted(totals.fragments, "fragment"), counted(totals.chunks, "chunk"));
 }
 
 void dump(const Files& files) {

@@ -190,6 +190,12 @@ TEST_F(CliErrors, DiskThatFillsUp) {
   EXPECT_EQ(run(small({"trace", "capture", "solids", "a.trace"}), limits).status, 2);
   EXPECT_FALSE(std::filesystem::exists(path("a.trace")));
   EXPECT_EQ(left_behind(), std::vector<std::string>{});
+
+  ASSERT_EQ(run(small({"trace", "capture", "solids", "a.trace"})).status, 0);
+  const Outcome dump = run({"trace", "dump", "a.trace", "a.txt"}, limits);
+  EXPECT_EQ(dump.status, 2);
+  EXPECT_NE(dump.err.find("a.txt: cannot write"), std::string::npos) << dump.err;
+  EXPECT_EQ(left_behind(), std::vector<std::string>{});
 }
 
 TEST_F(CliErrors, InterruptLeavesNothing) {
