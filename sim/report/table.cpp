@@ -144,7 +144,7 @@ std::string report_table(const Trace& trace, const RunResult& result,
                        grouped(std::uint64_t(result.contents.width) * result.contents.height),
                        percent(counters.slb_texels,
                                std::uint64_t(result.contents.width) * result.contents.height)));
-  rows.add("lines", fmt::format("{} in {}", counted(counters.slb_lines, "line"),
+  rows.add("lines", fmt::format("{} in {}", grouped(counters.slb_lines),
                                 grouped(counters.slb_entries) +
                                     (counters.slb_entries == 1 ? " entry" : " entries")));
   rows.add("memory", fmt::format("{} payload, {} allocated", bytes_text(counters.payload_bytes),

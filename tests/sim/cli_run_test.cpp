@@ -194,8 +194,8 @@ TEST_F(CliRun, RaysAgree) {
 }
 
 TEST_F(CliRun, FrameWithNothingToJudge) {
-  const Json away = report(
-      small({"run", "solids", "--camera-eye", "0,90,0", "--camera-target", "0,180,1"}));
+  const Json away =
+      report(small({"run", "solids", "--camera-eye", "0,90,0", "--camera-target", "0,180,1"}));
   EXPECT_EQ(away.at("verdict").at("fragments"), 0);
   EXPECT_NE(away.at("warnings").dump().find("sees nothing"), std::string::npos);
   EXPECT_EQ(away.at("error").at("paper").at("displacement_texels").at("max"), 0);

@@ -113,7 +113,8 @@ CaptureSummary capture_gbuffer(const Scene& scene, const std::string& exr_path,
   actual.mode = FragmentMode::kVisible;
   CaptureFrame frame(scene, actual);
   const auto warn = [&](std::uint64_t count, const char* what) {
-    if (count > 0) frame.header.warnings.push_back(fmt::format("left out {} {}", counted(count, "pixel"), what));
+    if (count > 0)
+      frame.header.warnings.push_back(fmt::format("left out {} {}", counted(count, "pixel"), what));
   };
   warn(checked.not_finite, "whose position is not finite");
   warn(checked.not_whole, "whose ID is no whole number");
