@@ -19,9 +19,9 @@ struct GBufferArguments {
 void write(const GBufferArguments& arguments) {
   Progress progress(true);
   Settings settings;
-  if (!arguments.input.gbuffer.empty()) {
-    throw UserError("--gbuffer", "a G-buffer is what is written here", "leave it out");
-  }
+  Outputs names;
+  names.reserve_input(arguments.input.name, "INPUT");
+  names.reserve(arguments.output, "OUTPUT");
   const Source source = resolve_input(arguments.input);
   const Scene* scene = std::get_if<Scene>(&source);
   if (!scene) {
@@ -40,8 +40,7 @@ void add_gbuffer(CLI::App& app) {
   auto arguments = std::make_shared<GBufferArguments>();
   CLI::App& command = *app.add_subcommand(
       "gbuffer", "Writes what the camera sees as an EXR of positions, normals and object IDs");
-  add_input_options(command, arguments->input);
-  command.get_option("INPUT")->required();
+  add_input_options(command, arguments->input, InputUse::kGBuffer);
   command.add_option("OUTPUT", arguments->output, "The EXR to write")->required();
   command.footer("kagesen run SCENE --gbuffer FILE reads it back, as it reads any renderer's.");
   command.callback([arguments] { write(*arguments); });

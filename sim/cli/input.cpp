@@ -11,6 +11,7 @@
 #include "sim/cli/parse.h"
 #include "traces/format/error.h"
 #include "traces/format/trace_file.h"
+#include "traces/format/words.h"
 
 namespace kagesen {
 namespace {
@@ -154,6 +155,12 @@ Source resolve_input(const InputOptions& options) {
     refuse_scene_options(options, name);
     return TracePath{name};
   }
+  if (!options.gbuffer.empty()) {
+    const std::string given = first_given({{"--image", &options.image}, {"--mode", &options.mode}});
+    if (!given.empty()) {
+      throw UserError(given, "the pixels of --gbuffer are taken as they are", "leave it out");
+    }
+  }
   Scene scene;
   if (is_file) {
     scene = import_mesh(name, import_options(options));
@@ -252,8 +259,8 @@ void rescale(Trace& trace, const std::string& scale) {
       header.scale_y * y > 1024) {
     throw UserError(
         "--scale " + scale,
-        fmt::format("the trace has scale {:g} x {:g} and {} fraction bits already", header.scale_x,
-                    header.scale_y, header.fraction_bits),
+        fmt::format("the trace has scale {:g} x {:g} and {} already", header.scale_x,
+                    header.scale_y, counted(header.fraction_bits, "fraction bit")),
         fmt::format("at most scale {}",
                     1u << (kMaxFractionBits -
                            std::min<std::uint32_t>(header.fraction_bits, kMaxFractionBits))));

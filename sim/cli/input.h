@@ -20,8 +20,15 @@ struct InputOptions {
   std::string light_kind, light_direction, light_position, spread;
   std::string camera_eye, camera_target, fov;
 };
-/// Adds the positional INPUT and the options of the scene, the camera, the light and the capture.
-void add_input_options(CLI::App& command, InputOptions& options);
+/// What a command makes of its input.
+enum class InputUse {
+  kRun,      ///< decides its shadows; a trace will do, and without INPUT the first built-in scene
+  kTrace,    ///< captures it; INPUT is required
+  kGBuffer,  ///< renders it, which takes no light space; INPUT is required
+};
+/// Adds the positional INPUT and the options of the scene, the camera, the light and the capture
+/// that `use` has a meaning for.
+void add_input_options(CLI::App& command, InputOptions& options, InputUse use);
 
 struct TracePath {
   std::string path;

@@ -2,24 +2,31 @@
 
 namespace kagesen {
 
-void add_input_options(CLI::App& command, InputOptions& options) {
-  command.add_option("INPUT", options.name,
-                     "A built-in scene (kagesen scenes), a mesh file (OBJ, PLY, glTF, GLB) or a "
-                     "trace; default: the first built-in scene");
+void add_input_options(CLI::App& command, InputOptions& options, InputUse use) {
+  const bool run = use == InputUse::kRun, gbuffer = use == InputUse::kGBuffer;
+  command
+      .add_option("INPUT", options.name,
+                  run ? "A built-in scene (kagesen scenes), a mesh file (OBJ, PLY, glTF, GLB) "
+                        "or a trace; default: the first built-in scene"
+                      : "A built-in scene (kagesen scenes) or a mesh file (OBJ, PLY, glTF, GLB)")
+      ->required(!run);
   const auto add = [&](const char* name, std::string& value, const char* type, const char* help,
                        const char* group) {
     return command.add_option(name, value, help)->type_name(type)->group(group);
   };
   add("--image", options.image, "WxH", "Pixels of the camera's image (1920x1080)", "Capture");
-  add("--map", options.map, "N|WxH", "Texels of the shadow map (1024)", "Capture");
-  add("--scale", options.scale, "N|NxM",
-      "Virtual projection space: the map covers N times more an axis, 1 to 1024 (1); of a trace, "
-      "a power of two",
-      "Capture");
-  add("--mode", options.mode, "MODE", "Fragments of pass 2: visible, early-z or all (visible)",
-      "Capture");
-  add("--gbuffer", options.gbuffer, "EXR",
-      "Takes pass 2 from a rendered frame with position and object-ID channels", "Capture");
+  if (!gbuffer) {
+    add("--map", options.map, "N|WxH", "Texels of the shadow map (1024)", "Capture");
+    add("--scale", options.scale, "N|NxM",
+        run ? "Virtual projection space: the map covers N times more an axis, 1 to 1024 (1); of a "
+              "trace, a power of two"
+            : "Virtual projection space: the map covers N times more an axis, 1 to 1024 (1)",
+        "Capture");
+    add("--mode", options.mode, "MODE", "Fragments of pass 2: visible, early-z or all (visible)",
+        "Capture");
+    add("--gbuffer", options.gbuffer, "EXR",
+        "Takes pass 2 from a rendered frame with position and object-ID channels", "Capture");
+  }
 
   add("--ids", options.ids, "WHO",
       "Objects of a mesh file: auto, file (its own) or components (connected) (auto)", "Scene");

@@ -51,10 +51,16 @@ void run(RunOptions& options) {
   // Every place is opened before the work, so that a bad one costs no time.
   Outputs outputs;
   outputs.make_folder(options.folder);
-  std::ostream& report = outputs.open(options.folder + "/report.json");
+  outputs.reserve_input(options.input.name, "INPUT");
+  outputs.reserve_input(options.input.gbuffer, "--gbuffer");
+  if (!options.no_images) {
+    for (const char* name : kPictureNames) outputs.reserve(options.folder + "/" + name, "--out");
+  }
+  std::ostream& report = outputs.open(options.folder + "/report.json", "--out");
   std::ostream* json =
-      options.json.empty() || json_to_stdout ? nullptr : &outputs.open(options.json);
-  std::ostream* verdicts = options.verdicts.empty() ? nullptr : &outputs.open(options.verdicts);
+      options.json.empty() || json_to_stdout ? nullptr : &outputs.open(options.json, "--json");
+  std::ostream* verdicts =
+      options.verdicts.empty() ? nullptr : &outputs.open(options.verdicts, "--verdicts");
 
   Stopwatch watch;
   const Source source = resolve_input(options.input);
@@ -99,7 +105,7 @@ void add_run(CLI::App& app) {
   auto options = std::make_shared<RunOptions>();
   CLI::App& command = *app.add_subcommand(
       "run", "Decides the shadows of a frame as the unit would, and judges every verdict");
-  add_input_options(command, options->input);
+  add_input_options(command, options->input, InputUse::kRun);
   add_settings_options(command, options->settings);
   command.add_option("--engine", options->simulate.engine, "What decides: golden")
       ->type_name("NAME")
@@ -120,8 +126,9 @@ void add_run(CLI::App& app) {
       .add_flag("--no-reference", options->no_reference,
                 "Does not hold the verdicts against the exact ones")
       ->group("Output");
-  command.add_flag("--scene-exact", options->scene_exact,
-                   "Also sends rays to the meshes as they were before snapping")
+  command
+      .add_flag("--scene-exact", options->scene_exact,
+                "Also sends rays to the meshes as they were before snapping")
       ->group("Output");
   command.footer(
       "Examples:\n"

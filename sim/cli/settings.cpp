@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -23,12 +24,35 @@ std::string read_text(const std::string& path) {
   return text.str();
 }
 
-/// The value as `set_field` takes it; empty for a kind of value that no key has.
-std::string value_text(const toml::node& node) {
-  if (const auto integer = node.as_integer()) return std::to_string(integer->get());
-  if (const auto boolean = node.as_boolean()) return boolean->get() ? "true" : "false";
-  if (const auto string = node.as_string()) return string->get();
-  return {};
+bool is_boolean(const ConfigField& field) {
+  return !field.choices.empty() &&
+         (field.choices.front() == "true" || field.choices.front() == "false");
+}
+
+/// "1 to 4096, a power of two" or "corrected | printed"
+std::string range_text(const ConfigField& field) {
+  if (!field.choices.empty()) return fmt::format("{}", fmt::join(field.choices, " | "));
+  return fmt::format("{} to {}{}", field.minimum, field.maximum,
+                     field.power_of_two ? ", a power of two" : "");
+}
+
+/// The value as `set_field` takes it. Throws UserError when it is of another kind than the key.
+std::string value_text(const std::string& key, const toml::node& node) {
+  const auto& fields = config_fields();
+  const auto field = std::find_if(fields.begin(), fields.end(),
+                                  [&](const ConfigField& f) { return f.key == key; });
+  if (field == fields.end()) return {};  // set_field() tells the nearest key
+  std::string kind = "a whole number, ";
+  if (field->choices.empty()) {
+    if (const auto integer = node.as_integer()) return std::to_string(integer->get());
+  } else if (is_boolean(*field)) {
+    if (const auto boolean = node.as_boolean()) return boolean->get() ? "true" : "false";
+    kind.clear();
+  } else {
+    if (const auto string = node.as_string()) return string->get();
+    kind = "a word in quotes, ";
+  }
+  throw UserError(key, "takes " + kind + range_text(*field), "see kagesen config");
 }
 
 void apply_file(const std::string& path, Settings& settings) {
@@ -42,13 +66,8 @@ void apply_file(const std::string& path, Settings& settings) {
   for (const auto& [key, node] : table) {
     const std::string name(key.str());
     const std::string place = fmt::format("{}:{}", path, key.source().begin.line);
-    const std::string value = value_text(node);
-    if (value.empty()) {
-      throw UserError(place + ": " + name, "takes a whole number, true, false or a word in quotes",
-                      "see kagesen config");
-    }
     try {
-      set_field(settings.config, name, value);
+      set_field(settings.config, name, value_text(name, node));
     } catch (const UserError& error) {
       throw UserError(place, error);
     }
@@ -92,15 +111,8 @@ std::string settings_toml(const UnitConfig& config) {
   std::string text = "# The shadow unit. Hand this to kagesen run --config.\n";
   for (const ConfigField& field : config_fields()) {
     const std::string value = get_field(config, field.key);
-    const bool word = !field.choices.empty() && value != "true" && value != "false";
-    std::string range;
-    if (field.choices.empty()) {
-      range = fmt::format("{} to {}{}", field.minimum, field.maximum,
-                          field.power_of_two ? ", a power of two" : "");
-    } else {
-      range = fmt::format("{}", fmt::join(field.choices, " | "));
-    }
-    text += fmt::format("\n# {}\n# {}\n{} = {}\n", field.help, range, field.key,
+    const bool word = !field.choices.empty() && !is_boolean(field);
+    text += fmt::format("\n# {}\n# {}\n{} = {}\n", field.help, range_text(field), field.key,
                         word ? '"' + value + '"' : value);
   }
   return text;

@@ -8,6 +8,7 @@
 #include "sim/cli/nearest.h"
 #include "sim/cli/stopwatch.h"
 #include "traces/format/error.h"
+#include "traces/format/words.h"
 
 namespace kagesen {
 namespace {
@@ -15,17 +16,26 @@ namespace {
 // Large enough to cost nothing, small enough for the progress line to move.
 constexpr std::size_t kPortion = 1u << 18;
 
-void add_warnings(RunResult& result) {
+void add_warnings(const Trace& trace, RunResult& result) {
   const UnitCounters& counters = result.counters;
+  const std::uint64_t fragments = trace.all_fragments.size();
+  if (fragments == 0) {
+    result.warnings.push_back("no fragment to decide: the camera sees nothing of the scene");
+  } else if (counters.averted + counters.outside >= fragments) {
+    result.warnings.push_back("nothing to judge: every fragment is averted or outside the light");
+  }
   if (counters.aliased_objects > 0) {
     result.warnings.push_back(
-        fmt::format("{} objects share an ID with another one: {} bits are too few; raise id_bits",
-                    counters.aliased_objects, result.config.id_bits));
+        fmt::format("{} an ID with another one: {} too few; raise id_bits",
+                    counted(counters.aliased_objects, "object") +
+                        (counters.aliased_objects == 1 ? " shares" : " share"),
+                    counted(std::uint64_t(result.config.id_bits), "bit") +
+                        (result.config.id_bits == 1 ? " is" : " are")));
   }
   if (counters.overflow_texels > 0) {
-    result.warnings.push_back(
-        fmt::format("{} lines of {} texels found no room; these texels answer as a plain map does",
-                    counters.overflow_lines, counters.overflow_texels));
+    result.warnings.push_back(fmt::format(
+        "{} of {} found no room; overflowed texels answer as a plain map does",
+        counted(counters.overflow_lines, "line"), counted(counters.overflow_texels, "texel")));
   }
 }
 
@@ -69,7 +79,7 @@ RunResult simulate(const Trace& trace, const UnitConfig& config, const SimulateO
   result.contents = engine->contents();
   result.counters = engine->counters();
   result.counters.aliased_objects = units.sharing;
-  add_warnings(result);
+  add_warnings(trace, result);
   result.stages_s.emplace_back("contents", watch.lap());
   if (options.reference) {
     JudgeOptions judging;

@@ -45,7 +45,19 @@ const char* mode_name(FragmentMode mode) {
   return "";
 }
 
+/// A trace is checked and renamed when it is whole, which needs a file.
+void check_output(const std::string& input, const std::string& output) {
+  if (output == "-") {
+    throw UserError("OUTPUT -", "a trace needs a file, not standard output", "name one");
+  }
+  Outputs names;
+  if (input != "-") names.reserve_input(input, "input");
+  names.reserve(output, "OUTPUT");
+}
+
 void capture_trace(const CaptureArguments& arguments) {
+  check_output(arguments.input.name, arguments.output);
+  check_output(arguments.input.gbuffer, arguments.output);
   Progress progress(true);
   Settings settings = load_settings(arguments.settings);
   const Source source = resolve_input(arguments.input);
@@ -70,18 +82,19 @@ void print_info(const std::string& path) {
   row("source", header.source);
   row("sha256", header.source_sha256);
   row("light", header.light);
-  row("map", fmt::format("{} x {} texels, {} fraction bits, scale {:g} x {:g}", header.map_width,
-                         header.map_height, header.fraction_bits, header.scale_x, header.scale_y));
+  row("map",
+      fmt::format("{} x {} texels, {}, scale {:g} x {:g}", header.map_width, header.map_height,
+                  counted(header.fraction_bits, "fraction bit"), header.scale_x, header.scale_y));
   row("image", fmt::format("{} x {}, {} fragments", header.image_width, header.image_height,
                            mode_name(header.mode)));
   row("casters", grouped(totals.casters));
   row("fragments", grouped(totals.fragments));
-  row("file", fmt::format("{} in {} chunks, {} uncompressed", bytes_text(totals.file_bytes),
-                          totals.chunks, bytes_text(totals.raw_bytes)));
+  row("file", fmt::format("{} in {}, {} uncompressed", bytes_text(totals.file_bytes),
+                          counted(totals.chunks, "chunk"), bytes_text(totals.raw_bytes)));
   for (const std::string& warning : header.warnings) row("warning", warning);
   row("objects", grouped(header.objects.size()));
   for (const ObjectInfo& object : header.objects) {
-    row("", fmt::format("{}: {} triangles, {}{}", object.name, grouped(object.triangles),
+    row("", fmt::format("{}: {}, {}{}", object.name, counted(object.triangles, "triangle"),
                         object.closed ? "closed" : "open", object.caster ? "" : ", receives only"));
   }
 }
@@ -89,30 +102,42 @@ void print_info(const std::string& path) {
 void verify(const std::string& path) {
   Checker checker;
   const TraceTotals totals = read_trace(path, checker);
-  std::cout << fmt::format("{}: whole; {} casters, {} fragments, {} chunks\n", path,
-                           grouped(totals.casters), grouped(totals.fragments), totals.chunks);
+  std::cout << fmt::format("{}: whole; {}, {}, {}\n", path, counted(totals.casters, "caster"),
+                           counted(totals.fragments, "fragment"), counted(totals.chunks, "chunk"));
 }
 
 void dump(const Files& files) {
   Outputs outputs;
   const bool to_file = !files.output.empty() && files.output != "-";
+  outputs.reserve_input(files.input, "FILE");
   // Damage at the end of a trace must not leave half a dump behind.
-  TextDump text(to_file ? outputs.open(files.output) : std::cout);
-  read_trace(files.input, text);
+  TextDump text(to_file ? outputs.open(files.output, "OUTPUT") : std::cout);
+  try {
+    read_trace(files.input, text);
+  } catch (const UserError&) {
+    outputs.check();  // knows which file was refused, and why
+    throw;
+  }
   outputs.commit();
 }
 
+/// Something to read must be there before the output is begun.
+void check_not_empty(std::istream& in, const std::string& name) {
+  if (in && in.peek() != std::istream::traits_type::eof()) return;
+  throw UserError(name, "there is nothing to read", "check the name");
+}
+
 void make(const Files& files) {
+  check_output(files.input, files.output);
   PartGuard guard(files.output + ".part");
   if (files.input == "-") {
+    check_not_empty(std::cin, "standard input");
     TraceWriter writer(files.output);
     read_trace_text(std::cin, "standard input", writer);
     return;
   }
   std::ifstream in(files.input);
-  if (!in || in.peek() == std::ifstream::traits_type::eof()) {
-    throw UserError(files.input, "there is nothing to read", "check the name");
-  }
+  check_not_empty(in, files.input);
   TraceWriter writer(files.output);
   read_trace_text(in, files.input, writer);
 }
@@ -126,8 +151,7 @@ void add_trace(CLI::App& app) {
 
   auto capture = std::make_shared<CaptureArguments>();
   CLI::App& capturing = *trace.add_subcommand("capture", "Captures a scene into a trace file");
-  add_input_options(capturing, capture->input);
-  capturing.get_option("INPUT")->required();
+  add_input_options(capturing, capture->input, InputUse::kTrace);
   capturing.add_option("OUTPUT", capture->output, "The trace file to write")->required();
   add_settings_options(capturing, capture->settings);
   capturing.callback([capture] { capture_trace(*capture); });

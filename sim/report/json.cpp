@@ -31,13 +31,10 @@ Json error_json(const ErrorFigures& figures) {
                {"false_lit", figures.false_lit},   {"false_dark", figures.false_dark},
                {"rate", figures.rate()},           {"band", figures.band},
                {"band_wrong", figures.band_wrong}, {"band_rate", figures.band_rate()}};
-  // The distance of no fragments has neither a mean nor a maximum.
-  if (figures.wrong > 0) {
-    json["displacement_texels"] = {{"mean", figures.displacement_mean},
-                                   {"p99", figures.displacement_p99},
-                                   {"max", figures.displacement_max},
-                                   {"capped", figures.displacement_capped}};
-  }
+  json["displacement_texels"] = {{"mean", figures.displacement_mean},
+                                 {"p99", figures.displacement_p99},
+                                 {"max", figures.displacement_max},
+                                 {"capped", figures.displacement_capped}};
   json["beyond_bound"] = figures.beyond_bound;
   json["causes"] = causes;
   return json;

@@ -25,7 +25,9 @@ std::string frame_exr(const Trace& trace, const RunResult& result);
 /// Multi-channel EXR of the map; -1 where nothing was written.
 std::string map_exr(const MapContents& contents);
 
-/// All of them as shaded.png, mask.png, errors.png, lines.png, frame.exr and map.exr in `folder`.
+inline constexpr const char* kPictureNames[] = {"shaded.png", "mask.png",  "errors.png",
+                                                "lines.png",  "frame.exr", "map.exr"};
+/// All of them in `folder`, under kPictureNames; their role among the outputs is "--out".
 /// A run without the reference has no errors.png, a trace without an image nothing of the frame.
 void write_pictures(const Trace& trace, const RunResult& result, const std::string& folder,
                     Outputs& outputs);

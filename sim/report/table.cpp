@@ -22,15 +22,20 @@ class Rows {
 
 std::string displacement(const ErrorFigures& e) {
   if (e.wrong == 0) return "-";
-  return fmt::format("{:.4f} / {:.4f} / {}{:.4f}", e.displacement_mean, e.displacement_p99,
-                     e.displacement_capped ? ">" : "", e.displacement_max);
+  // The largest of capped figures is as far as the search went; all that equal it lie farther.
+  const auto text = [&](double texels) {
+    const bool farther = e.displacement_capped && texels >= e.displacement_max;
+    return fmt::format("{}{:.4f}", farther ? ">" : "", texels);
+  };
+  return text(e.displacement_mean) + " / " + text(e.displacement_p99) + " / " +
+         text(e.displacement_max);
 }
 
 void error_rows(Rows& rows, const Judgement& judgement) {
   const ErrorFigures& paper = judgement.paper;
   const ErrorFigures& physical = judgement.physical;
   const auto row = [&](const std::string& label, const std::string& a, const std::string& b) {
-    rows.add(label, fmt::format("{:>26}{:>26}", a, b));
+    rows.add(label, fmt::format("{:>28}{:>28}", a, b));
   };
   const auto count = [&](const std::string& label, std::uint64_t ErrorFigures::*field) {
     row(label, grouped(paper.*field), grouped(physical.*field));
@@ -74,7 +79,7 @@ void plain_rows(Rows& rows, const Judgement& judgement) {
 void scene_exact_rows(Rows& rows, const SceneExact& exact) {
   rows.heading("Against rays on the meshes before snapping");
   const auto row = [&](const std::string& label, const std::string& a, const std::string& b) {
-    rows.add(label, fmt::format("{:>26}{:>26}", a, b));
+    rows.add(label, fmt::format("{:>28}{:>28}", a, b));
   };
   row("", "paper (own ID lit)", "physical");
   row("judged", grouped(exact.unit.judged), grouped(exact.unit.judged));
@@ -102,22 +107,15 @@ std::string percent(std::uint64_t part, std::uint64_t whole) {
 
 }  // namespace
 
-std::string grouped(std::uint64_t value) {
-  std::string digits = std::to_string(value);
-  for (std::ptrdiff_t at = std::ptrdiff_t(digits.size()) - 3; at > 0; at -= 3) {
-    digits.insert(static_cast<std::size_t>(at), ",");
-  }
-  return digits;
-}
-
 std::string bytes_text(std::uint64_t bytes) {
   if (bytes < 1024) return fmt::format("{} B", bytes);
-  if (bytes < 1024 * 1024) return fmt::format("{:.1f} KB", double(bytes) / 1024);
-  return fmt::format("{:.1f} MB", double(bytes) / (1024 * 1024));
+  if (bytes < 1024 * 1024) return fmt::format("{:.1f} KiB", double(bytes) / 1024);
+  return fmt::format("{:.1f} MiB", double(bytes) / (1024 * 1024));
 }
 
 std::string one_in(std::uint64_t part, std::uint64_t whole) {
   if (part == 0) return "none";
+  if (part > whole / 20) return percent(part, whole);
   return fmt::format("1 in {}", grouped(std::max<std::uint64_t>(1, (whole + part / 2) / part)));
 }
 
@@ -129,15 +127,16 @@ std::string report_table(const Trace& trace, const RunResult& result,
   Rows rows;
   rows.heading("Input");
   rows.add("scene", fmt::format("{}, {} light", header.source, header.light));
-  rows.add("", fmt::format("{} triangles in {} objects, {} of them closed", grouped(s.triangles),
-                           grouped(s.objects), grouped(s.closed_objects)));
-  rows.add("image", fmt::format("{} x {}, {} fragments", header.image_width, header.image_height,
-                                grouped(s.fragments)));
+  rows.add("", fmt::format("{} in {}, {} of them closed", counted(s.triangles, "triangle"),
+                           counted(s.objects, "object"), grouped(s.closed_objects)));
+  rows.add("image", fmt::format("{} x {}, {}", header.image_width, header.image_height,
+                                counted(s.fragments, "fragment")));
   rows.add("map", fmt::format("{} x {} texels, scale {:g} x {:g}, {}", result.contents.width,
                               result.contents.height, header.scale_x, header.scale_y,
                               bytes_text(counters.map_bytes)));
-  rows.add("engine", fmt::format("{}, fraction {} bits, slope {} bits", result.engine,
-                                 result.config.fraction_bits, result.config.slope_bits));
+  rows.add("engine", fmt::format("{}, fraction {}, slope {}", result.engine,
+                                 counted(std::uint64_t(result.config.fraction_bits), "bit"),
+                                 counted(std::uint64_t(result.config.slope_bits), "bit")));
 
   rows.heading("Silhouette line buffer");
   rows.add("texels",
@@ -145,15 +144,16 @@ std::string report_table(const Trace& trace, const RunResult& result,
                        grouped(std::uint64_t(result.contents.width) * result.contents.height),
                        percent(counters.slb_texels,
                                std::uint64_t(result.contents.width) * result.contents.height)));
-  rows.add("lines", fmt::format("{} in {} entries", grouped(counters.slb_lines),
-                                grouped(counters.slb_entries)));
+  rows.add("lines", fmt::format("{} in {}", grouped(counters.slb_lines),
+                                grouped(counters.slb_entries) +
+                                    (counters.slb_entries == 1 ? " entry" : " entries")));
   rows.add("memory", fmt::format("{} payload, {} allocated", bytes_text(counters.payload_bytes),
                                  bytes_text(counters.allocated_bytes)));
   rows.add("entries a texel",
            fmt::format("{} (longest {})", chain_text(counters), counters.max_chain));
   if (counters.overflow_texels > 0) {
-    rows.add("overflow", fmt::format("{} lines in {} texels", grouped(counters.overflow_lines),
-                                     grouped(counters.overflow_texels)));
+    rows.add("overflow", fmt::format("{} in {}", counted(counters.overflow_lines, "line"),
+                                     counted(counters.overflow_texels, "texel")));
   }
 
   rows.heading("Verdicts");

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/report/run_result.h"
+#include "traces/format/words.h"
 
 namespace kagesen {
 
@@ -11,11 +12,10 @@ namespace kagesen {
 std::string report_table(const Trace& trace, const RunResult& result,
                          const std::vector<std::string>& files);
 
-/// 1234567 -> "1,234,567".
-std::string grouped(std::uint64_t value);
-/// Bytes with a fitting unit: "812 B", "31.4 KB", "4.0 MB"; 1 KB = 1024 bytes, as in the paper.
+/// Bytes with a fitting unit: "812 B", "31.4 KiB", "4.0 MiB".
 std::string bytes_text(std::uint64_t bytes);
-/// A share of fragments as a person compares them: "1 in 12,345", "none".
+/// A share of fragments as a person compares them: "1 in 12,345", "none"; where more than
+/// 1 in 20 is meant, "37.5 %".
 std::string one_in(std::uint64_t part, std::uint64_t whole);
 
 }  // namespace kagesen

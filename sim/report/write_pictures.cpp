@@ -37,7 +37,7 @@ void write_pictures(const Trace& trace, const RunResult& result, const std::stri
     encoded.push_back(std::async(std::launch::async, picture.encode));
   }
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    outputs.write(folder + "/" + pictures[i].name, encoded[i].get());
+    outputs.write(folder + "/" + pictures[i].name, encoded[i].get(), "--out");
   }
 }
 

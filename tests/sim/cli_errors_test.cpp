@@ -61,7 +61,14 @@ TEST_F(CliErrors, Configuration) {
   write_file(path("range.toml"), "slope_bits = 4\nfraction_bits = 99\n");
   expect_refusal({"config", "--config", "range.toml"}, {"range.toml:2", "fraction_bits"});
   write_file(path("kind.toml"), "slope_bits = 4.5\n");
-  expect_refusal({"config", "--config", "kind.toml"}, {"kind.toml:1", "slope_bits"});
+  expect_refusal({"config", "--config", "kind.toml"},
+                 {"kind.toml:1", "slope_bits: takes a whole", "1 to "});
+  write_file(path("text.toml"), "slope_bits = \"4\"\n");
+  expect_refusal({"config", "--config", "text.toml"}, {"text.toml:1", "slope_bits: takes a whole"});
+  write_file(path("word.toml"), "table7 = 7\n");
+  expect_refusal({"config", "--config", "word.toml"}, {"word.toml", "corrected", "printed"});
+  write_file(path("flag.toml"), "match_polygon_id = 1\n");
+  expect_refusal({"config", "--config", "flag.toml"}, {"flag.toml:1", "true", "false"});
   write_file(path("table.toml"), "[slope_bits]\nvalue = 4\n");
   expect_refusal({"config", "--config", "table.toml"}, {"table.toml:1", "slope_bits"});
   write_file(path("twice.toml"), "slope_bits = 4\nslope_bits = 4\n");
@@ -118,6 +125,34 @@ TEST_F(CliErrors, Traces) {
   }
 }
 
+TEST_F(CliErrors, GBufferOptions) {
+  for (const char* option : {"--image", "--mode"}) {
+    const std::string value = option == std::string("--image") ? "64x64" : "all";
+    expect_refusal({"run", "--gbuffer", "g.exr", option, value}, {option, "--gbuffer"});
+    expect_refusal({"trace", "capture", "solids", "a.trace", "--gbuffer", "g.exr", option, value},
+                   {option, "--gbuffer"});
+  }
+  for (const char* option : {"--mode", "--map", "--scale", "--gbuffer"}) {
+    expect_refusal({"gbuffer", "solids", "g.exr", option, "1"}, {option});
+  }
+  EXPECT_EQ(run({"gbuffer", "--help"}).out.find("default: the first"), std::string::npos);
+}
+
+TEST_F(CliErrors, TraceFiles) {
+  ASSERT_EQ(run(small({"trace", "capture", "solids", "a.trace"})).status, 0);
+  const std::string good = read_file(path("a.trace"));
+  write_file(path("hand"), "end\n");
+  expect_refusal({"trace", "dump", "a.trace", "./a.trace"}, {"a.trace", "same file"});
+  expect_refusal({"trace", "make", "hand", "./hand"}, {"hand", "same file"});
+  EXPECT_EQ(read_file(path("a.trace")), good);
+  EXPECT_EQ(read_file(path("hand")), "end\n");
+  expect_refusal({"trace", "make", "-", "b.trace"}, {"standard input", "nothing to read"});
+  expect_refusal({"trace", "make", "hand", "-"}, {"needs a file"});
+  expect_refusal({"trace", "capture", "solids", "-"}, {"needs a file"});
+  expect_refusal({"trace", "dump", "a.trace", "/dev/full"}, {"/dev/full", "No space left"});
+  EXPECT_FALSE(std::filesystem::exists(path("b.trace")));
+}
+
 TEST_F(CliErrors, Places) {
   write_file(path("file"), "");
   expect_refusal(small({"run", "--out", "file"}), {"file"});
@@ -127,6 +162,19 @@ TEST_F(CliErrors, Places) {
   expect_refusal(small({"run", "--json", "."}), {"folder"});
   expect_refusal(small({"run", "--json", "/dev/full"}), {"/dev/full", "No space left"});
   expect_refusal(small({"run", "--verdicts", "/dev/full"}), {"/dev/full", "No space left"});
+}
+
+TEST_F(CliErrors, OneFileForTwoOutputs) {
+  expect_refusal({"run", "--out", "o", "--json", "o/report.json"}, {"--json", "--out"});
+  expect_refusal({"run", "--out", "o", "--verdicts", "./o/mask.png"}, {"--verdicts", "--out"});
+  expect_refusal({"run", "--out", "o", "--json", "same", "--verdicts", "same"},
+                 {"--json", "--verdicts", "same"});
+  EXPECT_FALSE(std::filesystem::exists(path("o")));
+  EXPECT_FALSE(std::filesystem::exists(path("same")));
+  write_file(path("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
+  const std::string before = read_file(path("a.obj"));
+  expect_refusal({"run", "a.obj", "--json", "./a.obj"}, {"--json", "INPUT"});
+  EXPECT_EQ(read_file(path("a.obj")), before);
 }
 
 TEST_F(CliErrors, DiskThatFillsUp) {
@@ -142,21 +190,30 @@ TEST_F(CliErrors, DiskThatFillsUp) {
   EXPECT_EQ(run(small({"trace", "capture", "solids", "a.trace"}), limits).status, 2);
   EXPECT_FALSE(std::filesystem::exists(path("a.trace")));
   EXPECT_EQ(left_behind(), std::vector<std::string>{});
+
+  ASSERT_EQ(run(small({"trace", "capture", "solids", "a.trace"})).status, 0);
+  const Outcome dump = run({"trace", "dump", "a.trace", "a.txt"}, limits);
+  EXPECT_EQ(dump.status, 2);
+  EXPECT_NE(dump.err.find("a.txt: cannot write"), std::string::npos) << dump.err;
+  EXPECT_EQ(left_behind(), std::vector<std::string>{});
 }
 
 TEST_F(CliErrors, InterruptLeavesNothing) {
-  Limits limits;
-  limits.meanwhile = [&](pid_t child) {
-    // The report's part is opened before the work begins.
-    for (int i = 0; i < 2000 && !std::filesystem::exists(path("out/report.json.part")); ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    kill(child, SIGINT);
-  };
-  const Outcome outcome = run({"run", "sphere1m", "--verdicts", "v.txt"}, limits);
-  EXPECT_EQ(outcome.status, 130);
-  EXPECT_FALSE(std::filesystem::exists(path("out/report.json.part")));
-  EXPECT_FALSE(std::filesystem::exists(path("v.txt.part")));
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    Limits limits;
+    limits.meanwhile = [&](pid_t child) {
+      // The verdicts' part is the last to be opened before the work begins.
+      for (int i = 0; i < 2000 && !std::filesystem::exists(path("v.txt.part")); ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      }
+      kill(child, signal);
+    };
+    const Outcome outcome =
+        run({"run", "sphere1m", "--out", "new/out", "--verdicts", "v.txt"}, limits);
+    EXPECT_EQ(outcome.status, 128 + signal);
+    EXPECT_FALSE(std::filesystem::exists(path("v.txt.part")));
+    EXPECT_FALSE(std::filesystem::exists(path("new")));
+  }
 }
 
 }  // namespace

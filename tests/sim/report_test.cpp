@@ -71,6 +71,36 @@ TEST_F(OutputsTest, RefusesFoldersAndFullDevices) {
   EXPECT_TRUE(fs::exists("/dev/full"));
 }
 
+TEST_F(OutputsTest, RefusesOneFileTwice) {
+  fs::create_directory(path("x"));
+  fs::create_directory_symlink(path("x"), path("link"));
+  Outputs outputs;
+  outputs.reserve(path("x/picture"), "--out");
+  outputs.open(path("x/a"), "--out");
+  EXPECT_THROW(outputs.open(path("x/a"), "--out"), UserError);
+  EXPECT_THROW(outputs.open(path("x/../x/./a"), "--json"), UserError);
+  EXPECT_THROW(outputs.open(path("link/a"), "--json"), UserError);
+  EXPECT_THROW(outputs.open(path("x/picture"), "--json"), UserError);
+  EXPECT_NO_THROW(outputs.open(path("x/picture"), "--out"));
+  EXPECT_NO_THROW(outputs.open("/dev/null", "--json"));
+  EXPECT_NO_THROW(outputs.open("/dev/null", "--verdicts"));
+}
+
+TEST_F(OutputsTest, CommitThatFailsHalfWayLeavesNoNewFile) {
+  std::ofstream(path("old")) << "old";
+  {
+    Outputs outputs;
+    outputs.write(path("new"), "text");
+    outputs.write(path("old"), "text");
+    outputs.write(path("refused"), "text");
+    fs::create_directory(path("refused"));
+    EXPECT_THROW(outputs.commit(), UserError);
+  }
+  EXPECT_FALSE(fs::exists(path("new")));
+  EXPECT_TRUE(fs::exists(path("old")));
+  EXPECT_FALSE(fs::exists(path("refused.part")));
+}
+
 /// Two objects on a 4 x 2 image, one fragment a pixel but the first; the last is wrong.
 struct Tiny {
   Trace trace;
@@ -118,7 +148,7 @@ TEST(Json, LeavesOutWhatIsUnknown) {
   EXPECT_FALSE(json["error"].contains("equivalent_resolution"));
   EXPECT_FALSE(json["error"].contains("plain"));
   EXPECT_TRUE(json["error"]["paper"].contains("displacement_texels"));
-  EXPECT_FALSE(json["error"]["physical"].contains("displacement_texels"));
+  EXPECT_EQ(json["error"]["physical"]["displacement_texels"]["max"], 0);
   EXPECT_EQ(json["verdict"]["dark"], 4);
   EXPECT_EQ(json["input"]["triangles"], 14);
   EXPECT_EQ(json["input"]["closed_objects"], 1);
@@ -176,10 +206,29 @@ TEST(Table, Numbers) {
   EXPECT_EQ(grouped(1000), "1,000");
   EXPECT_EQ(grouped(1234567), "1,234,567");
   EXPECT_EQ(bytes_text(1023), "1023 B");
-  EXPECT_EQ(bytes_text(32154), "31.4 KB");
-  EXPECT_EQ(bytes_text(4u << 20), "4.0 MB");
+  EXPECT_EQ(bytes_text(32154), "31.4 KiB");
+  EXPECT_EQ(bytes_text(4u << 20), "4.0 MiB");
   EXPECT_EQ(one_in(0, 10), "none");
   EXPECT_EQ(one_in(62, 640604), "1 in 10,332");
+  EXPECT_EQ(one_in(5, 100), "1 in 20");
+  EXPECT_EQ(one_in(6, 100), "6.0 %");
+  EXPECT_EQ(one_in(3, 8), "37.5 %");
+  EXPECT_EQ(counted(1, "texel"), "1 texel");
+  EXPECT_EQ(counted(0, "texel"), "0 texels");
+  EXPECT_EQ(counted(1234, "texel"), "1,234 texels");
+}
+
+TEST(Table, MarksWhatLiesBeyondTheSearch) {
+  Tiny tiny;
+  tiny.judge();
+  ErrorFigures& paper = tiny.result.judgement->paper;
+  paper.displacement_mean = 2;
+  paper.displacement_p99 = paper.displacement_max = 8;
+  EXPECT_NE(report_table(tiny.trace, tiny.result, {}).find("2.0000 / 8.0000 / 8.0000"),
+            std::string::npos);
+  paper.displacement_capped = true;
+  EXPECT_NE(report_table(tiny.trace, tiny.result, {}).find("2.0000 / >8.0000 / >8.0000"),
+            std::string::npos);
 }
 
 }  // namespace

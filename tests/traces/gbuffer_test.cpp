@@ -94,7 +94,7 @@ TEST_F(GBuffer, BackgroundAndSpoiltPixelsAreLeftOut) {
   EXPECT_EQ(trace.all_fragments.size(), seen - 5);
   ASSERT_EQ(trace.header.warnings.size(), 2u);
   EXPECT_EQ(trace.header.warnings[0], "left out 2 pixels whose position is not finite");
-  EXPECT_EQ(trace.header.warnings[1], "left out 1 pixels whose ID is no whole number");
+  EXPECT_EQ(trace.header.warnings[1], "left out 1 pixel whose ID is no whole number");
 }
 
 TEST_F(GBuffer, WildPolygonNumbersAreNotTrusted) {

@@ -94,7 +94,7 @@ TEST_F(Import, PolygonsAreTriangulatedLinesAndDegeneratesLeftOutWithACount) {
                              "f 1 2 3 4\nf 1 5 2\nf 1 1 3\nl 1 2\np 6\n");
   EXPECT_EQ(scene.objects[0].triangles.size(), 2u);
   ASSERT_EQ(scene.warnings.size(), 2u);
-  EXPECT_EQ(scene.warnings[0], "left out 1 points and 1 lines");
+  EXPECT_EQ(scene.warnings[0], "left out 1 point and 1 line");
   EXPECT_EQ(scene.warnings[1], "left out 2 triangles of no area");
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "traces/format/error.h"
+#include "traces/format/words.h"
 #include "traces/raster/capture_frame.h"
 #include "traces/raster/gbuffer_file.h"
 #include "traces/raster/pixel_raster.h"
@@ -112,10 +113,11 @@ CaptureSummary capture_gbuffer(const Scene& scene, const std::string& exr_path,
   actual.mode = FragmentMode::kVisible;
   CaptureFrame frame(scene, actual);
   const auto warn = [&](std::uint64_t count, const char* what) {
-    if (count > 0) frame.header.warnings.push_back(fmt::format("left out {} {}", count, what));
+    if (count > 0)
+      frame.header.warnings.push_back(fmt::format("left out {} {}", counted(count, "pixel"), what));
   };
-  warn(checked.not_finite, "pixels whose position is not finite");
-  warn(checked.not_whole, "pixels whose ID is no whole number");
+  warn(checked.not_finite, "whose position is not finite");
+  warn(checked.not_whole, "whose ID is no whole number");
   if (checked.pixels == 0) frame.header.warnings.push_back("the G-buffer shows no object");
   frame.send_casters(sink);
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "traces/format/error.h"
+#include "traces/format/words.h"
 #include "traces/scene/fit.h"
 #include "traces/scene/import_view.h"
 #include "traces/scene/mesh_file_check.h"
@@ -222,11 +223,12 @@ Scene import_mesh(const std::string& path, const ImportOptions& options) {
   converter.add_node(*file.mRootNode, glm::dmat4(1), 0);
   const Dropped& dropped = converter.dropped();
   if (dropped.points + dropped.lines > 0) {
-    scene.warnings.push_back(
-        fmt::format("left out {} points and {} lines", dropped.points, dropped.lines));
+    scene.warnings.push_back(fmt::format("left out {} and {}", counted(dropped.points, "point"),
+                                         counted(dropped.lines, "line")));
   }
   if (dropped.degenerate > 0) {
-    scene.warnings.push_back(fmt::format("left out {} triangles of no area", dropped.degenerate));
+    scene.warnings.push_back(
+        fmt::format("left out {} of no area", counted(dropped.degenerate, "triangle")));
   }
   if (scene.triangle_count() == 0) {
     throw UserError(path, "no triangles in it", "give a mesh with faces");

@@ -21,7 +21,7 @@ std::string runs_table(const SceneResults& scene, unsigned bits,
                        const std::vector<unsigned>& scales) {
   std::string text = fmt::format(
       "\n**{} bits**\n\n"
-      "| scale | silhouette texels | lines | payload KB | allocated KB | wrong | per million | "
+      "| scale | silhouette texels | lines | payload KiB | allocated KiB | wrong | per million | "
       "in the band, per million | equivalent side | plain, same side: wrong | plain, equal bytes: "
       "wrong (side) |\n|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
       bits);

@@ -50,14 +50,15 @@ const Measurement* find(const std::vector<SceneResults>& results, const Table8Co
 std::string paper_section(const std::vector<SceneResults>& results) {
   std::string text =
       "\n## Table 8 of the paper\n\n"
-      "The paper gives silhouette texels, lines and KB, and a shadow buffer of 4096 KB. Its bytes "
+      "The paper gives silhouette texels, lines and KiB (its \"KB\"), and a shadow buffer of 4096 "
+      "KiB. Its bytes "
       "follow from 42 bits a silhouette texel and 36 bits a line (column *formula*): payload only, "
       "without links or hash tags. Beside it stands our scene of the same kind, not the same "
       "scene: "
       "the paper does not publish its own. *Lines a texel* is what can be compared.\n\n"
-      "| paper | scale | texels | lines | KB | formula | lines a texel | our scene | texels | "
+      "| paper | scale | texels | lines | KiB | formula | lines a texel | our scene | texels | "
       "lines "
-      "| payload KB | formula | allocated KB | lines a texel |\n"
+      "| payload KiB | formula | allocated KiB | lines a texel |\n"
       "|:--|--:|--:|--:|--:|--:|--:|:--|--:|--:|--:|--:|--:|--:|\n";
   double worst_alone = 0, worst_crowd = 0;
   for (const Table8Column& column : kTable8) {
@@ -77,9 +78,9 @@ std::string paper_section(const std::vector<SceneResults>& results) {
     }
   }
   text += fmt::format(
-      "\nThe formula gives the paper's KB within {:.1f} KB for one object (Fig 8) and for a long "
+      "\nThe formula gives the paper's KiB within {:.1f} KiB for one object (Fig 8) and for a long "
       "row "
-      "of them (Fig 10). With many objects (Fig 9) the paper needs up to {:.1f} KB more: where "
+      "of them (Fig 10). With many objects (Fig 9) the paper needs up to {:.1f} KiB more: where "
       "objects meet in a texel, each has 42 bits of its own. Ours counts 42 bits for every entry "
       "of up "
       "to three lines, continuations included: what a buffer has to hold.\n",
