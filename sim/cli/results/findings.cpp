@@ -169,6 +169,17 @@ std::string findings_section(const std::vector<SceneResults>& results,
   }
   text +=
       fmt::format("- Fragments without a known cause, all scenes, scales and widths: {}.\n", other);
+  text +=
+      "\nWhy *combination* leads: the unit joins the lines of one object in a texel by AND and OR, "
+      "pair "
+      "by pair. That is right for the outline of a convex object, and for two lines that meet in a "
+      "vertex. Where an object overlaps itself as the light sees it, the lines of its nearer part "
+      "lie "
+      "inside the outline of its farther part, and no choice of AND and OR of pairs says so; the "
+      "paper "
+      "names the case (4.5: tori, concave objects) and would split such objects into convex ones. "
+      "At "
+      "large scales a texel holds many vertices and unrelated lines of even a convex object.\n";
   return text;
 }
 
