@@ -7,7 +7,6 @@ namespace kagesen {
 namespace {
 
 using unit::Line;
-using unit::Record;
 using unit::SilhouetteBuffer;
 
 LineRecord as_record(const Line& line) {

@@ -104,18 +104,18 @@ bool SilhouetteBuffer::append(std::uint32_t entry, const Line& line) {
     }
     at = records_[at].more;
   }
-  lines_[at * lines_per_record_ + records_[at].lines++] = line;
+  lines_[std::size_t{at} * lines_per_record_ + records_[at].lines++] = line;
   return true;
 }
 
 /// @param before  the record that links to `at`, kNone if `at` is the entry itself
 void SilhouetteBuffer::close_gap(std::uint32_t before, std::uint32_t at, std::uint32_t line) {
   for (;;) {
-    Line* lines = &lines_[at * lines_per_record_];
+    Line* lines = &lines_[std::size_t{at} * lines_per_record_];
     std::copy(lines + line + 1, lines + records_[at].lines, lines + line);
     const std::uint32_t more = records_[at].more;
     if (more == kNone) break;
-    lines[lines_per_record_ - 1] = lines_[more * lines_per_record_];
+    lines[lines_per_record_ - 1] = lines_[std::size_t{more} * lines_per_record_];
     before = at;
     at = more;
     line = 0;

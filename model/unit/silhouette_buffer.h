@@ -63,7 +63,7 @@ class SilhouetteBuffer {
     for (std::uint32_t at = entry, before = kNone; at != kNone;
          before = at, at = records_[at].more) {
       for (std::uint32_t i = 0; i < records_[at].lines; ++i) {
-        if (!match(lines_[at * lines_per_record_ + i])) continue;
+        if (!match(lines_[std::size_t{at} * lines_per_record_ + i])) continue;
         close_gap(before, at, i);
         return true;
       }
@@ -82,7 +82,9 @@ class SilhouetteBuffer {
 
   Record& operator[](std::uint32_t at) { return records_[at]; }
   const Record& operator[](std::uint32_t at) const { return records_[at]; }
-  const Line* lines_of(std::uint32_t at) const { return &lines_[at * lines_per_record_]; }
+  const Line* lines_of(std::uint32_t at) const {
+    return &lines_[std::size_t{at} * lines_per_record_];
+  }
 
   std::uint32_t buckets() const { return static_cast<std::uint32_t>(heads_.size()); }
   std::uint32_t head(std::uint32_t bucket) const { return heads_[bucket]; }
