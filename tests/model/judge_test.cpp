@@ -131,10 +131,18 @@ TEST(Judge, Depth) {
   Frame({steep}, {fragment(-9.9, -9.5, 501'500, 1)}).expect_only(Cause::kDepth);
 }
 
-// One object, two layers: the nearer one's edge lies inside the farther one's outline.
+// One object, two layers that overlap between their edges: together they cover all, AND says a
+// strip.
 TEST(Judge, Combination) {
-  Frame({left_of(0.3, 100, 0), left_of(0.7, 200, 0)}, {fragment(0.5, 0.5, 900, 1)})
+  Frame({left_of(0.7, 100, 0), right_of(0.3, 200, 0)}, {fragment(0.1, 0.5, 900, 1)})
       .expect_only(Cause::kCombination);
+}
+
+// Nested layers of one object are joined: the nearer one's edge does not end the farther one.
+TEST(Judge, NestedLayersMakeNoError) {
+  EXPECT_EQ(Frame({left_of(0.3, 100, 0), left_of(0.7, 200, 0)}, {fragment(0.5, 0.5, 900, 1)})
+                .judgement.paper.wrong,
+            0u);
 }
 
 // A gap narrower than the rounding of Fraction closes.

@@ -190,8 +190,13 @@ TEST(Wedge, LinesWithoutAVertexCombineByTheirFractions) {
     EXPECT_EQ(decision.inside(band, 2, false, {x, 3, 3}), x >= 2 && x < 6) << x;
     EXPECT_EQ(decision.inside(holes, 2, false, {x, 3, 3}), x < 2 || x >= 6) << x;
   }
-  // One within the other, both the same way: the product, which is the narrower.
-  EXPECT_EQ(decision.combine(with(low, true), with(high, true), false), Combine::kAnd);
+  // One within the other, both the same way, are layers that overlap: the sum, which is the wider. A
+  // line that ends in the texel keeps the product.
+  EXPECT_EQ(decision.combine(with(low, true), with(high, true), false), Combine::kOr);
+  Line ending = with(high, true);
+  ending.flags |= Line::kEndHere;
+  EXPECT_EQ(decision.combine(with(low, true), ending, false), Combine::kAnd);
+  EXPECT_EQ(decision.combine(ending, with(low, true), false), Combine::kAnd);
   // The tie of two equal lines: AND.
   EXPECT_EQ(decision.combine(with(low, true), with(low, true), false), Combine::kAnd);
 }
@@ -224,7 +229,7 @@ TEST(Wedge, ManyLinesAreInsideIfOneIsWithAllThatItIsAndedWith) {
   }
   ASSERT_EQ(decision.combine(lines[0], lines[1], false), Combine::kAnd);
   ASSERT_EQ(decision.combine(lines[1], lines[2], false), Combine::kOr);
-  ASSERT_EQ(decision.combine(lines[0], lines[2], false), Combine::kAnd);
+  ASSERT_EQ(decision.combine(lines[0], lines[2], false), Combine::kOr);
   for (int x = 0; x < 8; ++x) {
     EXPECT_EQ(decision.inside(lines.data(), 3, false, {x, 3, 3}), (x >= 1 && x < 3) || x >= 6) << x;
   }
