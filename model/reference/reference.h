@@ -27,7 +27,7 @@ struct DepthSample {
 /// A caster covers a point if the point lies inside or on its snapped outline; it shadows depth z
 /// if its plane there is strictly nearer than z, compared without rounding. Triangles of zero area
 /// cover nothing. Thread-safe after construction. Memory: O(casters), 85 to 140 MB
-/// for 1 M of them; the first call of boundary_distance or near_boundary, and the first of
+/// for 1 M of them; the first call of boundary_distance or in_band, and the first of
 /// casters_in, add a table each.
 class ExactReference {
  public:
