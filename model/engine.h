@@ -13,11 +13,21 @@ namespace kagesen {
 
 enum class Verdict : std::uint8_t { kLit = 0, kDark = 1 };
 
+/// What a mesh's adjacency tells of one caster (winding profile; see facets.h).
+struct Facet {
+  static constexpr std::uint32_t kOwnPlane = 0xffffffffu;
+  std::uint32_t plane = kOwnPlane;  ///< index into FrameSetup::planes: the plane it shares
+  std::uint8_t inner_edges = 0;     ///< bit i: edge i to i + 1 is shared with a facet of that plane
+};
+
 /// Light space as the unit's registers see it.
 struct FrameSetup {
   std::uint32_t fraction_bits = kMinFractionBits;  ///< units a texel = 2^fraction_bits
   /// The ID under which the unit knows each object (see unit_ids.h); empty: its number.
   std::vector<std::uint32_t> unit_ids;
+  std::vector<Facet> facets;   ///< a caster each, in the order they are drawn; empty: nothing known
+  std::vector<Caster> planes;  ///< triangles whose plane several facets share
+  std::vector<std::uint8_t> unshadowable;  ///< an object each: 1 if nothing can shadow it; or empty
 };
 
 /// A silhouette line as stored. fraction, slope: UQ0.n, saturated.
@@ -39,6 +49,24 @@ struct TexelEntry {
   std::vector<LineRecord> lines;
 };
 
+/// A piece of a facet's outline in one texel (winding profile). Ends: UQ1.n texel,
+/// n = fraction_bits + end_guard_bits (no more than the trace has), 0 to 1 inclusive.
+struct SegmentRecord {
+  std::uint32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  bool positive = false;      ///< counts +1 to what lies right of it, if crossing: above it
+  bool crosses_left = false;  ///< its first end is where it crosses the texel's left border
+};
+
+/// The facets of one plane in one texel (winding profile).
+struct TexelCluster {
+  std::uint32_t texel_x = 0, texel_y = 0, object = 0;  ///< object: paper semantics alone
+  std::int32_t base = 0;  ///< threshold at the texel's centre, units of 2^plane_step_bits, modular
+  std::uint32_t gradient_x = 0, gradient_y = 0;  ///< codes: sign, 5 exponent bits, mantissa
+  std::uint32_t corner = 0;
+  bool full = false;  ///< wholly covers the texel: no corner count, no segments
+  std::vector<SegmentRecord> segments;
+};
+
 /// Final contents of the buffers. Images are row-major, map_width x map_height.
 struct MapContents {
   std::uint32_t width = 0, height = 0;
@@ -47,8 +75,22 @@ struct MapContents {
   std::vector<std::uint32_t> object;     ///< kNoObject where nothing was written
   std::vector<std::uint8_t> overflowed;  ///< 1: capacity ran out here; the plain-map verdict holds
   std::vector<TexelEntry> entries;       ///< by texel (row, column), from the light outwards
+  std::vector<TexelCluster> clusters;    ///< winding: by texel, then by their fields
 };
 inline constexpr std::uint32_t kNoObject = 0xffffffffu;
+
+/// What the winding profile's skips saved, and out of how much.
+struct SkipCounters {
+  std::uint64_t texel_visits = 0;             ///< pass 1: facets times texels they touch
+  std::uint64_t masked_visits = 0;            ///< of these: no fragment there, or none far enough
+  std::uint64_t hidden_visits = 0;            ///< of these: behind what covers the texel
+  std::uint64_t inner_edge_texels = 0;        ///< edge texels not walked, beside edge_texels
+  std::uint64_t cleared_texels = 0;           ///< of the whole map
+  std::uint64_t known_fragments = 0;          ///< averted, outside the map, or unshadowable
+  std::uint64_t tile_lit = 0, tile_dark = 0;  ///< fragments decided by their tile
+  std::uint64_t texel_lookups = 0;            ///< fragments that read a texel
+  std::uint64_t first_test_dark = 0;  ///< of those with clusters: decided without reading them
+};
 
 /// Counters mean the same in every engine.
 struct UnitCounters {
@@ -71,6 +113,8 @@ struct UnitCounters {
   std::uint64_t slb_lookups = 0, entries_read = 0, lines_read = 0;
   std::uint64_t aliased_objects =
       0;  ///< objects that share a unit ID with another one they may shadow
+  // Winding profile. Its segments count as lines, its clusters as entries.
+  SkipCounters skips;
 };
 
 class Engine {
@@ -79,6 +123,9 @@ class Engine {
   virtual std::string name() const = 0;
   /// Clears everything and takes the frame's parameters.
   virtual void begin(const UnitConfig& config, const FrameSetup& setup) = 0;
+  /// Fragments that pass 2 will decide, before pass 1; any number of calls. With the receiver mask
+  /// every fragment must be announced; without it, and in the paper profile, nothing happens.
+  virtual void announce(const Fragment* fragments, std::size_t count) = 0;
   /// Pass 1; any number of calls.
   virtual void draw(const Caster* casters, std::size_t count) = 0;
   /// Pass 2; any number of calls, after the last draw.

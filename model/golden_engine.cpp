@@ -52,6 +52,8 @@ class GoldenEngine : public Engine {
     unit_.begin(config, setup);
   }
 
+  void announce(const Fragment*, std::size_t) override {}
+
   void draw(const Caster* casters, std::size_t count) override {
     for (std::size_t i = 0; i < count; ++i) unit_.draw(casters[i]);
   }

@@ -5,15 +5,10 @@
 #include <memory>
 #include <vector>
 
+#include "model/unit/config.h"
 #include "traces/format/records.h"
 
 namespace kagesen {
-
-/// Who may shadow a fragment.
-enum class Semantics : std::uint8_t {
-  kPaper,     ///< any object but the fragment's own
-  kPhysical,  ///< any surface strictly nearer the light
-};
 
 /// A nearest-depth sample, as a plain shadow map would store.
 struct DepthSample {

@@ -35,6 +35,8 @@ Binding choice(const char* key, Enum UnitConfig::*member, std::vector<std::strin
 const std::vector<Binding>& bindings() {
   using C = UnitConfig;
   static const std::vector<Binding> all = {
+      choice("profile", &C::profile, {"paper", "winding"},
+             "The published unit, or the one that is exact within its quantisation"),
       integer("map_width", &C::map_width, 1, kMaxMapSide, "Width of the map, texels"),
       integer("map_height", &C::map_height, 1, kMaxMapSide, "Height of the map, texels"),
       integer("fraction_bits", &C::fraction_bits, 1, 15,
@@ -64,6 +66,32 @@ const std::vector<Binding>& bindings() {
              "farthest (3.3.3)"),
       choice("match_polygon_id", &C::match_polygon_id, {"false", "true"},
              "Lines of one polygon never cancel each other (3.3.2)"),
+      choice("semantics", &C::semantics, {"paper", "physical"},
+             "Winding: who shadows, any object but the fragment's own or any surface nearer the "
+             "light"),
+      integer("end_guard_bits", &C::end_guard_bits, 1, 4,
+              "Winding: bits of a segment's ends beyond fraction_bits"),
+      integer("gradient_bits", &C::gradient_bits, 3, 10,
+              "Winding: mantissa bits of a plane's gradient"),
+      integer("plane_step_bits", &C::plane_step_bits, 0, 12,
+              "Winding: log2 of the depth step of a stored plane"),
+      integer("plane_tolerance", &C::plane_tolerance, 0, 1 << 16,
+              "Winding: depth units within which neighbouring facets share a plane"),
+      integer("corner_bits", &C::corner_bits, 2, 16, "Winding: bits of a cluster's corner count"),
+      integer("segments_per_record", &C::segments_per_record, 1, 15,
+              "Winding: segments an SLB record holds"),
+      integer("cluster_records", &C::cluster_records, 1, 1 << 24,
+              "Winding: records the SLB has room for"),
+      choice("skip_receiver_mask", &C::skip_receiver_mask, {"false", "true"},
+             "Winding: store nothing that no fragment can see"),
+      choice("skip_first_test", &C::skip_first_test, {"false", "true"},
+             "Winding: decide by what covers the texel before its clusters are read"),
+      choice("skip_tiles", &C::skip_tiles, {"false", "true"},
+             "Winding: decide by the 8 x 8 tile before its texels are read"),
+      choice("skip_edges", &C::skip_edges, {"false", "true"},
+             "Winding: do not walk edges inside a plane that several facets share"),
+      choice("skip_fragments", &C::skip_fragments, {"false", "true"},
+             "Winding: look nothing up for fragments whose verdict is known"),
   };
   return all;
 }

@@ -34,8 +34,21 @@ enum class HiddenRemoval : std::uint8_t {
   kFarthest,  ///< its farthest depth in the texel is; refuses nothing
 };
 
+/// Which unit: the published one, or the one that is exact within its quantisation.
+enum class Profile : std::uint8_t {
+  kPaper,    ///< lines, AND/OR, Tables 5 to 7
+  kWinding,  ///< segments and winding numbers (docs/unit.md)
+};
+
+/// Who may shadow a fragment.
+enum class Semantics : std::uint8_t {
+  kPaper,     ///< any object but the fragment's own
+  kPhysical,  ///< any surface strictly nearer the light
+};
+
 /// Defaults are the unit that docs/results.md measures. Limits and help texts: config_fields().
 struct UnitConfig {
+  Profile profile = Profile::kPaper;
   std::int64_t map_width = 1024, map_height = 1024;  // texels
   std::int64_t fraction_bits = 8;                    // UQ0.n of Fraction
   std::int64_t slope_bits = 8;                       // UQ0.n of Slope
@@ -53,6 +66,21 @@ struct UnitConfig {
   DepthWrites depth_writes = DepthWrites::kCovered;
   HiddenRemoval hidden_removal = HiddenRemoval::kCentre;
   bool match_polygon_id = true;  // lines of one polygon never cancel each other
+
+  // Winding profile alone.
+  Semantics semantics = Semantics::kPhysical;
+  std::int64_t end_guard_bits = 2;    // of a segment's ends, beyond fraction_bits
+  std::int64_t gradient_bits = 7;     // mantissa of a plane's gradient
+  std::int64_t plane_step_bits = 4;   // log2 of the depth step of stored planes
+  std::int64_t plane_tolerance = 16;  // depth units within which facets share a plane
+  std::int64_t corner_bits = 8;       // of a cluster's corner count
+  std::int64_t segments_per_record = 2;
+  std::int64_t cluster_records = 1 << 21;  // capacity of the SLB
+  bool skip_receiver_mask = true;
+  bool skip_first_test = true;
+  bool skip_tiles = true;
+  bool skip_edges = true;
+  bool skip_fragments = true;
 };
 
 /// One field of UnitConfig as text: what a configuration file, `--set` and the help need.
