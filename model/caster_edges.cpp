@@ -1,16 +1,11 @@
 #include "model/caster_edges.h"
 
-#include <tuple>
 #include <utility>
 
 #include "model/reference/triangle.h"
 
 namespace kagesen {
 namespace {
-
-bool same_point(const LightPoint& a, const LightPoint& b) {
-  return a.x == b.x && a.y == b.y && a.z == b.z;
-}
 
 /// An edge from its lesser to its greater end.
 struct Edge {
@@ -40,14 +35,10 @@ struct Edge {
 /// A place of the hash table. The tag spares most looks at the edge itself, which are far away.
 struct Slot {
   std::uint32_t tag = 0;
-  std::uint32_t number = EdgeNumbers::kNone;
+  std::uint32_t first = EdgeNumbers::kNone;  ///< 3 x caster + edge where it was first met
 };
 
 }  // namespace
-
-bool point_less(const LightPoint& a, const LightPoint& b) {
-  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-}
 
 bool lies_left_of_edge(const Caster& caster, std::size_t edge) {
   const Edge e(caster, edge);
@@ -62,25 +53,33 @@ EdgeNumbers number_edges(const std::vector<Caster>& casters,
   std::size_t capacity = 16;
   while (capacity < casters.size() * 4) capacity *= 2;
   std::vector<Slot> table(capacity);
-  std::vector<std::uint32_t> first;  // by number: 3 x caster + edge where it was first met
-  first.reserve(casters.size() * 3 / 2);
-  for (std::size_t i = 0; i < casters.size(); ++i) {
-    if (!takes_part[i]) continue;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Edge edge(casters[i], k);
-      const std::uint64_t hash = edge.hash();
-      const auto tag = std::uint32_t(hash >> 32);
-      std::size_t at = hash & (capacity - 1);
-      while (table[at].number != EdgeNumbers::kNone) {
-        const std::uint32_t known = first[table[at].number];
-        if (table[at].tag == tag && Edge(casters[known / 3], known % 3) == edge) break;
-        at = (at + 1) & (capacity - 1);
+  // Hashes come first, so that what they lead to can be fetched ahead of its use.
+  constexpr std::size_t kAhead = 8;
+  std::vector<std::uint64_t> hashes(casters.size() * 3);
+  for (std::size_t n = 0; n < hashes.size(); ++n) hashes[n] = Edge(casters[n / 3], n % 3).hash();
+  for (std::size_t n = 0; n < hashes.size(); ++n) {
+    if (n + 2 * kAhead < hashes.size()) {
+      __builtin_prefetch(&table[hashes[n + 2 * kAhead] & (capacity - 1)]);
+      const std::uint32_t likely = table[hashes[n + kAhead] & (capacity - 1)].first;
+      if (likely != EdgeNumbers::kNone) {
+        __builtin_prefetch(&casters[likely / 3]);
+        __builtin_prefetch(&out.of[likely]);
       }
-      if (table[at].number == EdgeNumbers::kNone) {
-        table[at] = {tag, out.count++};
-        first.push_back(std::uint32_t(3 * i + k));
-      }
-      out.of[3 * i + k] = table[at].number;
+    }
+    if (!takes_part[n / 3]) continue;
+    const Edge edge(casters[n / 3], n % 3);
+    const auto tag = std::uint32_t(hashes[n] >> 32);
+    std::size_t at = hashes[n] & (capacity - 1);
+    while (table[at].first != EdgeNumbers::kNone) {
+      const std::uint32_t known = table[at].first;
+      if (table[at].tag == tag && Edge(casters[known / 3], known % 3) == edge) break;
+      at = (at + 1) & (capacity - 1);
+    }
+    if (table[at].first == EdgeNumbers::kNone) {
+      table[at] = {tag, std::uint32_t(n)};
+      out.of[n] = out.count++;
+    } else {
+      out.of[n] = out.of[table[at].first];
     }
   }
   return out;

@@ -27,6 +27,12 @@ EdgeNumbers number_edges(const std::vector<Caster>& casters,
 bool lies_left_of_edge(const Caster& caster, std::size_t edge);
 
 /// Order of points by x, then y, then z.
-bool point_less(const LightPoint& a, const LightPoint& b);
+inline bool point_less(const LightPoint& a, const LightPoint& b) {
+  if (a.x != b.x) return a.x < b.x;
+  return a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+inline bool same_point(const LightPoint& a, const LightPoint& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z;
+}
 
 }  // namespace kagesen

@@ -77,10 +77,11 @@ class Grouping {
   }
 
  private:
-  /// What seeds are ordered by, as far as it is worth keeping at hand.
+  /// What seeds are ordered by, as far as it is worth keeping at hand: in a regular mesh all areas
+  /// are equal, and two facets have their lowest vertex in common.
   struct Seed {
     std::int64_t area;
-    LightPoint lowest;
+    LightPoint low, middle;  ///< first two vertices by x, y, z
     std::uint32_t caster;
   };
 
@@ -114,20 +115,17 @@ class Grouping {
     for (std::uint32_t i = 0; i < casters_.size(); ++i) {
       const std::uint32_t* n = &neighbours_[std::size_t{i} * 3];
       if ((n[0] & n[1] & n[2]) == kNobody) continue;
-      const Caster& c = casters_[i];
-      out.push_back({std::abs(doubled_area(c)),
-                     std::min({c.vertex[0], c.vertex[1], c.vertex[2]}, point_less), i});
+      const auto v = canonical(casters_[i]);
+      out.push_back({std::abs(doubled_area(casters_[i])), v[0], v[1], i});
     }
     std::sort(out.begin(), out.end(), [&](const Seed& a, const Seed& b) {
       if (a.area != b.area) return a.area > b.area;
-      if (point_less(a.lowest, b.lowest)) return true;
-      if (point_less(b.lowest, a.lowest)) return false;
-      const auto va = canonical(casters_[a.caster]), vb = canonical(casters_[b.caster]);
-      if (std::lexicographical_compare(va.begin(), va.end(), vb.begin(), vb.end(), point_less))
-        return true;
-      if (std::lexicographical_compare(vb.begin(), vb.end(), va.begin(), va.end(), point_less))
-        return false;
-      return casters_[a.caster].object < casters_[b.caster].object;
+      if (!same_point(a.low, b.low)) return point_less(a.low, b.low);
+      if (!same_point(a.middle, b.middle)) return point_less(a.middle, b.middle);
+      const Caster &ca = casters_[a.caster], &cb = casters_[b.caster];
+      const LightPoint high_a = canonical(ca)[2], high_b = canonical(cb)[2];
+      if (!same_point(high_a, high_b)) return point_less(high_a, high_b);
+      return ca.object < cb.object;
     });
     return out;
   }

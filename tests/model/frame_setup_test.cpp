@@ -106,6 +106,14 @@ TEST(Unshadowable, MeansNothingNearerInTheTile) {
   EXPECT_FALSE(flagged(fragment(-1, kT, 1001, 1)));
   EXPECT_FALSE(flagged(fragment(kT, -8 * kT, 1001, 1)));
   EXPECT_TRUE(flagged(fragment(-8 * kT - 1, kT, 1001, 1)));
+  // So at its far side: a texel of the sheet in the tile's last column, or only in the one before.
+  for (const std::int32_t end : {8 * kT - 1, 7 * kT - 1}) {
+    Trace trace = sheet_and(fragment(8 * kT, kT, 1001, 1));
+    for (Caster& c : trace.all_casters) {
+      for (LightPoint& p : c.vertex) p.x = std::min(p.x * 2, end);
+    }
+    EXPECT_EQ(find_unshadowable(trace, winding(Semantics::kPhysical))[1], end < 7 * kT) << end;
+  }
 }
 
 TEST(Unshadowable, AnObjectShadowsItselfInPhysicalSemanticsOnly) {
