@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "model/unit_ids.h"
+#include "model/frame_setup.h"
 #include "sim/cli/nearest.h"
 #include "sim/cli/stopwatch.h"
 #include "traces/format/error.h"
@@ -41,16 +41,6 @@ void add_warnings(const Trace& trace, RunResult& result) {
         "{} of {} found no room; overflowed texels answer as a plain map does",
         counted(counters.overflow_lines, "line"), counted(counters.overflow_texels, "texel")));
   }
-}
-
-FrameSetup make_frame_setup(const Trace& trace, const UnitConfig& config,
-                            std::uint64_t* aliased_objects) {
-  UnitIds units = assign_unit_ids(trace, trace.header.fraction_bits, int(config.id_bits));
-  if (aliased_objects) *aliased_objects = units.sharing;
-  FrameSetup setup;
-  setup.fraction_bits = trace.header.fraction_bits;
-  setup.unit_ids = std::move(units.ids);
-  return setup;
 }
 
 UnitConfig in_other_semantics(UnitConfig config) {
@@ -132,8 +122,8 @@ RunResult simulate(const Trace& trace, const UnitConfig& config, const SimulateO
   if (winding && (options.reference || options.both_semantics)) {
     const UnitConfig other_config = in_other_semantics(config);
     other = options.make(options.engine);
-    result.other_verdicts = passes.run(
-        *other, other_config, make_frame_setup(trace, other_config, nullptr), [](const char*) {});
+    result.other_verdicts =
+        passes.run(*other, other_config, make_frame_setup(trace, other_config), [](const char*) {});
     result.stages_s.emplace_back("other_semantics", watch.lap());
   }
   if (options.reference) {
