@@ -196,18 +196,20 @@ TEST(Facets, DepthsDriftApartByTheToleranceOverTheRadiusAtMost) {
   EXPECT_EQ(planes_of(group(pair(kRadius / 2, 1008), 16)), (Planes{0, 0}));
 }
 
-TEST(Facets, ASeedIsNotMuchSteeperThanItsMembers) {
-  // The seed rises by 40 over r; the member, as wide as r, by what is left.
-  const auto steep = [](std::uint32_t z) {
-    std::vector<Caster> casters = pair(kRadius, z);
+TEST(Facets, ASeedIsHardlySteeperThanItsMembers) {
+  // The seed rises by 40 over r, the member by `rise` over four times that.
+  const auto steep = [](std::uint32_t rise) {
+    std::vector<Caster> casters = pair(4 * kRadius, 1000 + rise);
     for (Caster& c : casters) {
       for (LightPoint& p : c.vertex) p.z += 200'000;
     }
     casters[0].vertex[2].z -= 40 * 8 * 256;
     return planes_of(group(casters, 100));
   };
-  EXPECT_EQ(steep(1000 + 20), (Planes{0, 0}));
-  EXPECT_EQ(steep(1000 + 19), (Planes{kOwn, kOwn}));  // 40 > 2 x 19 + 1
+  EXPECT_EQ(steep(4 * 40), (Planes{0, 0}));
+  EXPECT_EQ(steep(4 * 40 + 10), (Planes{0, 0}));
+  EXPECT_EQ(steep(4 * 40 - 1), (Planes{0, 0}));
+  EXPECT_EQ(steep(4 * 40 - 2), (Planes{kOwn, kOwn}));
 }
 
 TEST(Facets, NothingInNothingOut) {
