@@ -69,7 +69,7 @@ struct UnitConfig {
 
   // Winding profile alone.
   Semantics semantics = Semantics::kPhysical;
-  std::int64_t end_guard_bits = 2;    // of a segment's ends, beyond fraction_bits
+  std::int64_t end_guard_bits = 3;    // of a segment's ends, beyond fraction_bits
   std::int64_t gradient_bits = 7;     // mantissa of a plane's gradient
   std::int64_t plane_step_bits = 4;   // log2 of the depth step of stored planes
   std::int64_t plane_tolerance = 16;  // depth units within which facets share a plane
