@@ -49,6 +49,14 @@ class VisitedRows {
     if (x < row.low[edge]) row.low[edge] = x;
     if (x > row.high[edge]) row.high[edge] = x;
   }
+  /// Did one of `edges` (bit i: edge i) visit the texel?
+  bool visited(unsigned edges, std::int32_t x, std::int32_t y) const {
+    const Row& row = rows_[static_cast<std::size_t>(y - first_row_)];
+    for (int e = 0; e < 3; ++e) {
+      if ((edges >> e & 1) != 0 && row.low[e] <= x && x <= row.high[e]) return true;
+    }
+    return false;
+  }
   /// Calls fill(y, first_x, last_x) for every run of texels strictly between visited ones of a row.
   template <typename Fill>
   void gaps(Fill fill) const;
