@@ -82,6 +82,8 @@ const std::vector<Binding>& bindings() {
               "Winding: segments an SLB record holds"),
       integer("cluster_records", &C::cluster_records, 1, 1 << 24,
               "Winding: records the SLB has room for"),
+      integer("chain_records", &C::chain_records, 1, 1 << 20,
+              "Winding: records a texel's list may hold"),
       choice("skip_receiver_mask", &C::skip_receiver_mask, {"false", "true"},
              "Winding: store nothing that no fragment can see"),
       choice("skip_first_test", &C::skip_first_test, {"false", "true"},

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "model/unit_ids.h"
+#include "model/frame_setup.h"
 #include "sim/cli/nearest.h"
 #include "sim/cli/stopwatch.h"
 #include "traces/format/error.h"
@@ -57,8 +57,8 @@ RunResult simulate(const Trace& trace, const UnitConfig& config, const SimulateO
   const std::unique_ptr<Engine> engine = make_engine(options.engine);
 
   Stopwatch watch;
-  UnitIds units = assign_unit_ids(trace, trace.header.fraction_bits, int(config.id_bits));
-  const FrameSetup setup{trace.header.fraction_bits, std::move(units.ids)};
+  std::uint64_t aliased_objects = 0;
+  const FrameSetup setup = make_frame_setup(trace, config, &aliased_objects);
   engine->begin(config, setup);
   const auto& casters = trace.all_casters;
   for (std::size_t at = 0; at < casters.size(); at += kPortion) {
@@ -78,7 +78,7 @@ RunResult simulate(const Trace& trace, const UnitConfig& config, const SimulateO
 
   result.contents = engine->contents();
   result.counters = engine->counters();
-  result.counters.aliased_objects = units.sharing;
+  result.counters.aliased_objects = aliased_objects;
   add_warnings(trace, result);
   result.stages_s.emplace_back("contents", watch.lap());
   if (options.reference) {

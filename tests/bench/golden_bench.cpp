@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "model/engine.h"
+#include "model/frame_setup.h"
 #include "model/rivals/plain_map.h"
 #include "traces/raster/capture.h"
 #include "traces/scene/scene.h"
@@ -21,12 +22,6 @@ const Trace& default_trace() {
     return t;
   }();
   return trace;
-}
-
-FrameSetup setup_of(const Trace& trace) {
-  FrameSetup setup;
-  setup.fraction_bits = trace.header.fraction_bits;
-  return setup;
 }
 
 void BM_PlainMap(benchmark::State& state) {
@@ -47,7 +42,7 @@ BENCHMARK(BM_PlainMap)->Unit(benchmark::kMillisecond);
 void BM_Pass2(benchmark::State& state) {
   const Trace& trace = default_trace();
   const auto engine = make_golden_engine();
-  engine->begin(UnitConfig{}, setup_of(trace));
+  engine->begin(UnitConfig{}, make_frame_setup(trace, UnitConfig{}));
   engine->draw(trace.all_casters.data(), trace.all_casters.size());
   std::vector<Verdict> verdicts(trace.all_fragments.size());
   for (auto _ : state) {
@@ -79,7 +74,7 @@ void pass1(benchmark::State& state, const std::vector<Caster>& casters, const Fr
 /// The default scene: edge texels a second, spans included in the time.
 void BM_Pass1EdgeTexelsDefaultScene(benchmark::State& state) {
   const Trace& trace = default_trace();
-  pass1(state, trace.all_casters, setup_of(trace),
+  pass1(state, trace.all_casters, make_frame_setup(trace, UnitConfig{}),
         [](const UnitCounters& c) { return c.edge_texels; });
 }
 BENCHMARK(BM_Pass1EdgeTexelsDefaultScene)->Unit(benchmark::kMillisecond);

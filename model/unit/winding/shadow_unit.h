@@ -1,10 +1,12 @@
 #pragma once
 /// The shadow unit in the winding profile: both passes, block by block.
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 #include "model/engine.h"
 #include "model/unit/span_filler.h"
+#include "model/unit/winding/cluster_index.h"
 #include "model/unit/winding/edge_walker.h"
 #include "model/unit/winding/plane.h"
 #include "model/unit/winding/silhouette_buffer.h"
@@ -82,6 +84,7 @@ class ShadowUnit {
   Verdict decide_one(const Fragment& fragment, Tally& tally);
   Verdict look_up(const Fragment& fragment, std::int32_t x, std::int32_t y, Tally& tally);
   Verdict read_texel(const Texel& texel, const Fragment& fragment, Tally& tally);
+  const ClusterIndex* index_of(std::uint32_t list);
   bool inside(const Cluster& cluster, const Place& place, int shift) const;
   bool passes_over(std::uint32_t source, std::uint32_t object) const {
     return paper_ && source == object;
@@ -104,6 +107,7 @@ class ShadowUnit {
   TexelBuffers texels_;
   SilhouetteBuffer slb_;
   VisitedRows rows_;
+  std::unordered_map<std::uint32_t, ClusterIndex> indices_;  // pass 2: of long lists
   bool settled_ = true;
   UnitCounters counters_;
 };

@@ -20,6 +20,7 @@ void ShadowUnit::begin(const UnitConfig& config, const FrameSetup& setup) {
                 static_cast<std::uint32_t>(config.map_height));
   slb_.clear(static_cast<std::uint32_t>(config.cluster_records),
              static_cast<std::uint32_t>(config.segments_per_record));
+  indices_.clear();
   settled_ = true;
   counters_ = UnitCounters{};
 }
@@ -217,7 +218,7 @@ Cluster* ShadowUnit::cluster_of(const Visit& visit, std::uint32_t object) {
   std::uint32_t records;
   std::uint32_t at = find(texel, visit.threshold, object, records);
   if (at == SilhouetteBuffer::kNone) {
-    if (records >= static_cast<std::uint32_t>(config_.link_depth)) return nullptr;
+    if (records >= static_cast<std::uint32_t>(config_.chain_records)) return nullptr;
     at = slb_.insert(texel.list, visit.threshold, object);
     if (at == SilhouetteBuffer::kNone) return nullptr;
   }
@@ -238,7 +239,7 @@ void ShadowUnit::add(const Visit& visit, std::uint32_t object, bool corner,
   if (segment == nullptr) return;
   bool cancelled;
   if (!slb_.add(*cluster, *segment, cancelled) ||
-      slb_.records_of(*cluster) > static_cast<std::uint32_t>(config_.link_depth)) {
+      slb_.records_of(*cluster) > static_cast<std::uint32_t>(config_.chain_records)) {
     return overflow(visit, object);
   }
   ++(cancelled ? counters_.lines_cancelled : counters_.lines_stored);

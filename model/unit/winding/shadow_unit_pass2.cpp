@@ -7,6 +7,7 @@ namespace kagesen::unit::winding {
 void ShadowUnit::settle() {
   if (settled_) return;
   settled_ = true;
+  indices_.clear();
   for (Tile& tile : texels_.tiles()) {
     if (tile.slot == Tile::kUntouched) continue;
     for (std::uint32_t i = 0; i < TexelBuffers::kTileTexels; ++i) {
@@ -152,17 +153,45 @@ Verdict ShadowUnit::read_texel(const Texel& texel, const Fragment& fragment, Tal
     return Verdict::kDark;
   }
   ++tally.lists;
+  const auto dark = [&](const Cluster& c, bool surely) {
+    return !passes_over(c.object, object) && beyond(c.threshold) &&
+           (surely || inside(c, place, shift));
+  };
+  if (const ClusterIndex* index = index_of(texel.list)) {
+    std::uint32_t read = index->count();
+    bool found = false;
+    index->candidates(place, [&](std::uint32_t rank, bool surely) {
+      found = dark(slb_[index->member(rank)], surely);
+      if (found) read = rank + 1;
+      return !found;
+    });
+    tally.clusters += read;
+    tally.segments += index->segments_before(read);
+    tally.dark_by_lines += found;
+    return found ? Verdict::kDark : Verdict::kLit;
+  }
   for (std::uint32_t at = texel.list; at != SilhouetteBuffer::kNone; at = slb_[at].next) {
-    const Cluster& cluster = slb_[at];
     ++tally.clusters;
-    if (passes_over(cluster.object, object) || !beyond(cluster.threshold)) continue;
-    if (!cluster.full) tally.segments += cluster.segment_count;
-    if (cluster.full || inside(cluster, place, shift)) {
+    tally.segments += slb_[at].segment_count;
+    if (dark(slb_[at], slb_[at].full)) {
       ++tally.dark_by_lines;
       return Verdict::kDark;
     }
   }
   return Verdict::kLit;
+}
+
+/// Of a long list; null where reading it through costs less.
+const ClusterIndex* ShadowUnit::index_of(std::uint32_t list) {
+  std::uint32_t count = 0;
+  for (std::uint32_t at = list; at != SilhouetteBuffer::kNone; at = slb_[at].next) {
+    if (++count == ClusterIndex::kWorthwhile) {
+      const auto found = indices_.find(list);
+      if (found != indices_.end()) return &found->second;
+      return &indices_.emplace(list, ClusterIndex(slb_, list, widths_)).first->second;
+    }
+  }
+  return nullptr;
 }
 
 bool ShadowUnit::inside(const Cluster& cluster, const Place& place, int shift) const {
