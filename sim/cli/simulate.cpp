@@ -60,6 +60,7 @@ RunResult simulate(const Trace& trace, const UnitConfig& config, const SimulateO
   std::uint64_t aliased_objects = 0;
   const FrameSetup setup = make_frame_setup(trace, config, &aliased_objects);
   engine->begin(config, setup);
+  engine->announce(trace.all_fragments.data(), trace.all_fragments.size());
   const auto& casters = trace.all_casters;
   for (std::size_t at = 0; at < casters.size(); at += kPortion) {
     progress("pass 1", double(at) / double(casters.size()));
