@@ -101,11 +101,15 @@ void Chart::draw_axes(bool with_y_numbers) const {
     number_left(fmt::format("{:.{}f}%", v * 100, decimals), y);
   }
   number_left("none", int(place({x_.low, 0, {}}).y));
+  int taken = area_.x - 6;  // numbers keep clear of each other and of the next chart's
   for (const double v : round_numbers(x_)) {
     const int x = int(place({v, 0, {}}).x);
     canvas_.rectangle(x, area_.y, 1, area_.height, kGrid);
     const std::string words = fmt::format("{:g}", v);
-    canvas_.text(x - text_width(words) / 2, bottom + 8, words, kInk, kTextScale);
+    const int half = text_width(words) / 2;
+    if (x - half < taken || x + half > area_.x + area_.width + 6) continue;
+    canvas_.text(x - half, bottom + 8, words, kInk, kTextScale);
+    taken = x + half + 12;
   }
   canvas_.rectangle(area_.x, bottom - kZeroGap, area_.width, 1, kFrame);
   canvas_.rectangle(area_.x, area_.y, area_.width, 1, kFrame);
