@@ -12,8 +12,8 @@ namespace kagesen::unit::winding {
 
 class ClusterIndex {
  public:
-  /// Lists shorter than this are read through.
-  static constexpr std::uint32_t kWorthwhile = 24;
+  /// Lists shorter than this, or looked up less often, are read through.
+  static constexpr std::uint32_t kWorthwhile = 64;
 
   ClusterIndex(const SilhouetteBuffer& slb, std::uint32_t list, const Widths& widths);
 
