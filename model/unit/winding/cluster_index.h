@@ -51,6 +51,7 @@ class ClusterIndex {
 
   const SilhouetteBuffer& slb_;
   int texel_bits_, shift_;
+  std::int64_t smallest_ = 1;  // side of a leaf that is not split
   std::vector<std::uint32_t> members_;
   std::vector<std::uint64_t> segments_before_;
   std::vector<Node> nodes_;
