@@ -27,15 +27,27 @@ void ShadowUnit::begin(const UnitConfig& config, const FrameSetup& setup) {
 
 void ShadowUnit::announce(const Fragment* fragments, std::size_t count) {
   if (!config_.skip_receiver_mask) return;
+  Tile none;
+  Tile* tile = &none;  // neighbours in the image are mostly neighbours here
+  std::uint64_t occupied = 0;
+  std::uint32_t last = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const Fragment& f = fragments[i];
     const std::int32_t x = (f.position.x >> widths_.texel_bits) + centre_x_;
     const std::int32_t y = (f.position.y >> widths_.texel_bits) + centre_y_;
     if (known(f, x, y)) continue;
-    Tile& tile = texels_.tile(x, y);
-    tile.occupied |= std::uint64_t{1} << TexelBuffers::within(x, y);
-    tile.last_fragment = std::max(tile.last_fragment, f.position.z);
+    Tile* const at = &texels_.tile(x, y);
+    if (at != tile) {
+      tile->occupied |= occupied;
+      tile->last_fragment = std::max(tile->last_fragment, last);
+      tile = at;
+      occupied = last = 0;
+    }
+    occupied |= std::uint64_t{1} << TexelBuffers::within(x, y);
+    last = std::max(last, f.position.z);
   }
+  tile->occupied |= occupied;
+  tile->last_fragment = std::max(tile->last_fragment, last);
 }
 
 void ShadowUnit::draw(const Caster& caster) {
