@@ -48,7 +48,7 @@ TEST_F(CliResults, ResultsPage) {
   EXPECT_GT(all[2].size(), 3u);  // judged: thousands at least
   EXPECT_EQ(all[4], "0");
   EXPECT_EQ(all[8], "0");
-  EXPECT_EQ(row_of(page, "### Effective resolution", "torus | 16 x 16").size(), 8u);
+  EXPECT_EQ(row_of(page, "### Effective resolution", "torus | 16 x 16").size(), 10u);
   EXPECT_EQ(row_of(page, "### Memory", "solids | 1 x 1").size(), 7u);
   for (const char* heading : {"**Physical semantics**", "**Paper semantics**"}) {
     const auto skips = row_of(page, heading, "torus");

@@ -79,24 +79,27 @@ struct Standing {
   std::string place;
 };
 
-std::string standing_text(const EquivalentResolution& e, const ErrorFigures& errors,
-                          const std::string& place, Standing& standing) {
+/// Four cells: wrong in the band, side, times, how it stands.
+std::string standing_cells(const EquivalentResolution& e, const ErrorFigures& errors,
+                           const std::string& place, Standing& standing) {
   const double times = double(e.side) / double(map_side());
-  const std::string text =
-      fmt::format("{0}{1} | {0}{2:.3g}", e.at_least ? "at least " : "", grouped(e.side), times);
-  if (e.side >= kWantedTimes * map_side()) {
+  const bool passes = e.side >= kWantedTimes * map_side(), no_error = errors.band_wrong == 0;
+  const std::string word = e.at_least || (no_error && !passes) ? "at least " : "";
+  const std::string text = fmt::format("{} | {}{} | {}{:.3g} | ", grouped(errors.band_wrong), word,
+                                       grouped(e.side), word, times);
+  if (passes) {
     ++standing.met;
-    return text + " | passes";
+    return text + "passes";
   }
-  if (errors.band_wrong == 0) {
+  if (no_error) {
     ++standing.no_error;
-    return text + " | no error";
+    return text + "no error";
   }
   if (standing.short_of++ == 0 || times < standing.least) {
     standing.least = times;
     standing.place = place;
   }
-  return text + " | **falls short**";
+  return text + "**falls short**";
 }
 
 std::string standing_sentence(const char* semantics, const Standing& s) {
@@ -117,21 +120,23 @@ std::string resolution_section(const std::vector<SceneResults>& results) {
       "with 8 bits does on a map of {0} x {0}, and that side as a multiple of the map's; *at "
       "least* where {1}, the largest that was tried, still erred more. In physical semantics every "
       "plain map has the constant bias with which it errs least on the frame. The target is {2} "
-      "times the side, {3} times the texels. *No error*: the unit made none in the whole band, and "
-      "the side is where a plain map's are too rare for the sample of the band to hold one. "
-      "Again: the line *as good as* of `./kagesen run SCENE --scale S --set profile=winding --set "
+      "times the side, {3} times the texels. *No error*: the unit made "
+      "none in the whole band; the side is the least at which a plain map made none either in the "
+      "sample that the search takes of it (at most 100,000 fragments). Again: the line *as good "
+      "as* of `./kagesen run SCENE --scale S --set profile=winding --set "
       "semantics=paper|physical`.\n\n"
-      "| scene | scale | paper semantics: side | times | | physical semantics: side | times | |\n"
-      "|:--|--:|--:|--:|:--|--:|--:|:--|\n",
+      "| scene | scale | paper semantics: wrong in the band | side | times | | physical semantics: "
+      "wrong in the band | side | times | |\n"
+      "|:--|--:|--:|--:|--:|:--|--:|--:|--:|:--|\n",
       grouped(map_side()), grouped(JudgeOptions{}.largest_plain_side), kWantedTimes,
       grouped(kWantedTimes * kWantedTimes));
   Standing paper, physical;
   for (const SceneResults& scene : results) {
     for (const WindingAccuracy& a : scene.winding.accuracy) {
       const std::string place = fmt::format("{}, {} x {}", scene.name, a.scale, a.scale);
-      const std::string in_paper = standing_text(a.equivalent.paper, a.errors.paper, place, paper);
+      const std::string in_paper = standing_cells(a.equivalent.paper, a.errors.paper, place, paper);
       const std::string in_physical =
-          standing_text(a.equivalent.physical, a.errors.physical, place, physical);
+          standing_cells(a.equivalent.physical, a.errors.physical, place, physical);
       text += fmt::format("| {0} | {1} x {1} | {2} | {3} |\n", scene.name, a.scale, in_paper,
                           in_physical);
     }
