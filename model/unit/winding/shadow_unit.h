@@ -69,7 +69,7 @@ class ShadowUnit {
   void cover(const Visit& visit, std::uint32_t object);
   void overflow(const Visit& visit, std::uint32_t object);
   bool hidden(const Texel& texel, std::int64_t nearest, std::uint32_t object) const;
-  Cluster* cluster_of(const Visit& visit, std::uint32_t object);
+  Cluster* cluster_of(const Visit& visit, std::uint32_t object, std::uint32_t& records);
   std::uint32_t find(const Texel& texel, const Threshold& threshold, std::uint32_t object,
                      std::uint32_t& records) const;
   bool open_list(Texel& texel);

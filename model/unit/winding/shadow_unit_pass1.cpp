@@ -211,16 +211,17 @@ void ShadowUnit::note_cover(Texel& texel, std::int64_t farthest, std::uint32_t o
   texel.object = object;
 }
 
-/// Adds to the cluster of the visit's plane; null if there is no room for it.
-Cluster* ShadowUnit::cluster_of(const Visit& visit, std::uint32_t object) {
+/// The cluster of the visit's plane, there or new, and the records of the whole list; null if there
+/// is no room for it.
+Cluster* ShadowUnit::cluster_of(const Visit& visit, std::uint32_t object, std::uint32_t& records) {
   Texel& texel = *visit.texel;
   if (texel.one_plane() && !open_list(texel)) return nullptr;
-  std::uint32_t records;
   std::uint32_t at = find(texel, visit.threshold, object, records);
   if (at == SilhouetteBuffer::kNone) {
     if (records >= static_cast<std::uint32_t>(config_.chain_records)) return nullptr;
     at = slb_.insert(texel.list, visit.threshold, object);
     if (at == SilhouetteBuffer::kNone) return nullptr;
+    ++records;
   }
   return &slb_[at];
 }
@@ -231,15 +232,17 @@ void ShadowUnit::add(const Visit& visit, std::uint32_t object, bool corner,
   if (!corner && segment == nullptr) return;
   if (texel.overflow()) return overflow(visit, object);
   if (texel.one_plane() && texel.cover == visit.threshold && texel.object == object) return;
-  Cluster* cluster = cluster_of(visit, object);
+  std::uint32_t records;
+  Cluster* cluster = cluster_of(visit, object, records);
   if (cluster == nullptr) return overflow(visit, object);
   if (cluster->full) return;
   cluster->corner += corner;
   if (cluster->corner >> config_.corner_bits) return overflow(visit, object);
   if (segment == nullptr) return;
+  const std::uint32_t others = records - slb_.records_of(*cluster);
   bool cancelled;
   if (!slb_.add(*cluster, *segment, cancelled) ||
-      slb_.records_of(*cluster) > static_cast<std::uint32_t>(config_.chain_records)) {
+      others + slb_.records_of(*cluster) > static_cast<std::uint32_t>(config_.chain_records)) {
     return overflow(visit, object);
   }
   ++(cancelled ? counters_.lines_cancelled : counters_.lines_stored);
@@ -264,7 +267,8 @@ void ShadowUnit::cover(const Visit& visit, std::uint32_t object) {
       return;
     }
   }
-  Cluster* cluster = cluster_of(visit, object);
+  std::uint32_t records;
+  Cluster* cluster = cluster_of(visit, object, records);
   if (cluster == nullptr) return overflow(visit, object);
   if (cluster->full) return;
   slb_.drop_segments(*cluster);

@@ -55,8 +55,9 @@ class Twin {
   void add(std::size_t list, std::size_t rank, unsigned n) {
     if (lists_[list].empty()) return;
     Held& held = lists_[list][rank % lists_[list].size()];
-    const auto opposed = std::find_if(held.segments.begin(), held.segments.end(),
-                                      [&](unsigned m) { return segment(m).opposes(segment(n)); });
+    const auto opposed = std::find_if(held.segments.begin(), held.segments.end(), [&](unsigned m) {
+      return (m >> 1 & 3) == (n >> 1 & 3) && ((m ^ n) & 1) != 0;
+    });
     const bool cancels = opposed != held.segments.end();
     const bool full = !held.segments.empty() && held.segments.size() % per_record_ == 0;
     const bool room = cancels || !full || used() < capacity_;
