@@ -135,7 +135,7 @@ class Grouping {
     const Gradient g = gradient_of(casters_[caster], radius_shift_);
     const Gradient apart{g.x - seed_gradient.x, g.y - seed_gradient.y};
     return apart.sum() <= tolerance_ << kGradientSteps &&
-           seed_gradient.sum() <= 2 * g.sum() + (1 << kGradientSteps);
+           seed_gradient.sum() <= g.sum() + (1 << kGradientSteps) / 4;
   }
 
   /// Takes all free casters that the seed reaches. A seed that finds none stays free itself.

@@ -23,9 +23,9 @@ struct FacetGroups {
 /// - over r = 2^-fraction_bits texel, depths drift apart by plane_tolerance at most:
 ///   |g - g_seed|_1 r <= plane_tolerance, with g the gradient, |g|_1 = |dz/dx| + |dz/dy|. Else a
 ///   facet hardly wider than r could be off by several times the tolerance next to its edges;
-/// - the seed is not much steeper: |g_seed|_1 r <= 2 |g|_1 r + 1 depth unit, so that a bias made
-/// for
-///   the seed's gradient keeps within the contact distance of the member.
+/// - the seed is not steeper by more than a quarter of a depth unit over r: |g_seed|_1 r <=
+///   |g|_1 r + 1/4, so that a bias made for the seed's gradient keeps within the contact distance
+///   of the member. That costs little: what faces the light looks largest and is tried first.
 /// Gradients are compared in steps of 2^-8 depth units over r; with a tolerance of 0 only coplanar
 /// facets merge. A caster alone keeps its own plane.
 ///

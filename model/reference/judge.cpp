@@ -3,40 +3,46 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/reference/beside_plain.h"
 #include "model/reference/cause.h"
-#include "model/rivals/plain_map.h"
+#include "model/reference/winding_cause.h"
 
 namespace kagesen {
 namespace {
 
 constexpr double kSearchTexels = 8;  // how far a boundary is looked for
 constexpr std::size_t kDisplacementSamples = 2000;
-constexpr std::size_t kBandSamples = 50000;  // for the equivalent resolution
 
-/// A surface this close in depth is in contact: snapping alone may turn the verdict.
+/// Paper profile: a surface this close in depth is in contact; snapping alone may turn the verdict.
 constexpr double kContactDepthUnits = 4;
 
 class Judge {
  public:
-  Judge(const Trace& trace, const UnitConfig& config, const FrameSetup& setup, const Engine& engine,
-        const std::vector<Verdict>& verdicts, const JudgeOptions& options)
+  Judge(const Trace& trace, const UnitConfig& config, const FrameSetup& setup, const UnitRun& paper,
+        const UnitRun& physical, const JudgeOptions& options)
       : trace_(trace),
         config_(config),
         setup_(setup),
-        engine_(engine),
-        verdicts_(verdicts),
+        paper_(paper),
+        physical_(physical),
         options_(options),
         reference_(trace.all_casters) {}
 
   Judgement run() {
     exact_verdicts();
-    causes();
+    if (config_.profile == Profile::kWinding) {
+      winding_causes(Semantics::kPaper, paper_, out_.exact_paper, out_.cause_paper, out_.paper);
+      winding_causes(Semantics::kPhysical, physical_, out_.exact_physical, out_.cause_physical,
+                     out_.physical);
+    } else {
+      paper_causes();
+    }
     band();
-    figures(Semantics::kPaper, out_.paper, out_.exact_paper, out_.cause_paper, in_band_paper_);
-    figures(Semantics::kPhysical, out_.physical, out_.exact_physical, out_.cause_physical,
-            in_band_physical_);
-    plain_maps();
-    if (options_.equivalent_resolution) equivalent_resolution();
+    figures(Semantics::kPaper, out_.paper, paper_.verdicts, out_.exact_paper, out_.cause_paper,
+            in_band_paper_);
+    figures(Semantics::kPhysical, out_.physical, physical_.verdicts, out_.exact_physical,
+            out_.cause_physical, in_band_physical_);
+    beside_plain_maps();
     return std::move(out_);
   }
 
@@ -74,21 +80,37 @@ class Judge {
     }
   }
 
-  void causes() {
-    const MapContents contents = engine_.contents();
+  static bool dark(const UnitRun& run, std::size_t i) { return run.verdicts[i] == Verdict::kDark; }
+
+  void paper_causes() {
+    const MapContents contents = paper_.engine.contents();
     const CauseFinder finder(trace_, config_, setup_, contents, reference_);
     out_.cause_paper.assign(fragments().size(), Cause::kNone);
     out_.cause_physical.assign(fragments().size(), Cause::kNone);
     for (std::size_t i = 0; i < fragments().size(); ++i) {
       report("causes", i);
       if (!judged_[i]) continue;
-      const bool dark = verdicts_[i] == Verdict::kDark;
-      const bool paper_wrong = dark != (out_.exact_paper[i] != 0);
-      const bool physical_wrong = dark != (out_.exact_physical[i] != 0);
+      const bool paper_wrong = dark(paper_, i) != (out_.exact_paper[i] != 0);
+      const bool physical_wrong = dark(physical_, i) != (out_.exact_physical[i] != 0);
       if (paper_wrong) out_.cause_paper[i] = finder.find(fragments()[i], out_.exact_paper[i] != 0);
       // Where only the physical verdict is missed, the object shadows itself.
       if (physical_wrong)
         out_.cause_physical[i] = paper_wrong ? out_.cause_paper[i] : Cause::kIdRule;
+    }
+  }
+
+  void winding_causes(Semantics semantics, const UnitRun& run,
+                      const std::vector<std::uint8_t>& exact, std::vector<Cause>& causes,
+                      ErrorFigures& e) {
+    const MapContents contents = run.engine.contents();
+    const WindingCauseFinder finder(trace_, config_, setup_, contents, reference_, semantics);
+    causes.assign(fragments().size(), Cause::kNone);
+    for (std::size_t i = 0; i < fragments().size(); ++i) {
+      report("causes", i);
+      if (!judged_[i] || dark(run, i) == (exact[i] != 0)) continue;
+      const WindingFault fault = finder.find(fragments()[i], exact[i] != 0);
+      causes[i] = fault.cause;
+      e.beyond_bound += fault.breaks_contract;
     }
   }
 
@@ -105,14 +127,15 @@ class Judge {
     }
   }
 
-  void figures(Semantics semantics, ErrorFigures& e, const std::vector<std::uint8_t>& exact,
-               const std::vector<Cause>& cause, const std::vector<std::uint8_t>& in_band) {
+  void figures(Semantics semantics, ErrorFigures& e, const std::vector<Verdict>& verdicts,
+               const std::vector<std::uint8_t>& exact, const std::vector<Cause>& cause,
+               const std::vector<std::uint8_t>& in_band) {
     std::vector<std::size_t> wrong;
     for (std::size_t i = 0; i < fragments().size(); ++i) {
       if (!judged_[i]) continue;
       ++e.judged;
       e.band += in_band[i];
-      const bool dark = verdicts_[i] == Verdict::kDark;
+      const bool dark = verdicts[i] == Verdict::kDark;
       if (dark == (exact[i] != 0)) continue;
       wrong.push_back(i);
       ++(dark ? e.false_dark : e.false_lit);
@@ -121,10 +144,15 @@ class Judge {
     }
     e.wrong = wrong.size();
     displacement(semantics, wrong, e);
+    if (config_.profile == Profile::kPaper) paper_beyond_bound(semantics, wrong, e);
+  }
+
+  void paper_beyond_bound(Semantics semantics, const std::vector<std::size_t>& wrong,
+                          ErrorFigures& e) {
     const double bound =
         std::ldexp(1.0, static_cast<int>(setup_.fraction_bits - config_.fraction_bits));
-    for (std::size_t n = 0; n < wrong.size(); ++n) {
-      const Fragment& f = fragments()[wrong[n]];
+    for (const std::size_t i : wrong) {
+      const Fragment& f = fragments()[i];
       if (reference_.boundary_distance(f.position, f.object, semantics, bound + 1) <= bound)
         continue;
       e.beyond_bound +=
@@ -153,87 +181,32 @@ class Judge {
     e.displacement_capped = distances.back() >= kSearchTexels;
   }
 
-  void plain_maps() {
-    const UnitCounters c = engine_.counters();
-    const double texel_bytes = double(config_.depth_bits + config_.id_bits) / 8;
-    const double bytes = double(c.map_bytes + c.allocated_bytes);
-    const double grow =
-        std::sqrt(bytes / (texel_bytes * double(config_.map_width) * double(config_.map_height)));
-    plain_map(1, texel_bytes, out_.plain_same_side);
-    plain_map(grow, texel_bytes, out_.plain_equal_bytes);
-  }
-
-  void plain_map(double grow, double texel_bytes, PlainFigures& p) {
-    const auto width =
-        static_cast<std::uint32_t>(std::max(1.0, std::floor(double(config_.map_width) * grow)));
-    const auto height =
-        static_cast<std::uint32_t>(std::max(1.0, std::floor(double(config_.map_height) * grow)));
-    PlainMap map(width, height, static_cast<std::uint32_t>(config_.map_width),
-                 static_cast<std::uint32_t>(config_.map_height), setup_.fraction_bits);
-    for (const Caster& caster : trace_.all_casters) map.draw(caster);
-    p.side = width;
-    p.bytes = static_cast<std::uint64_t>(texel_bytes * width * height);
-    for (std::size_t i = 0; i < fragments().size(); ++i) {
-      if (!judged_[i]) continue;
-      const bool dark = map.decide(fragments()[i], Semantics::kPaper) == Verdict::kDark;
-      if (dark == (out_.exact_paper[i] != 0)) continue;
-      ++p.wrong;
-      p.band_wrong += in_band_paper_[i];
-    }
-  }
-
-  void equivalent_resolution() {
-    std::vector<std::size_t> band;
-    for (std::size_t i = 0; i < fragments().size(); ++i) {
-      if (in_band_paper_[i]) band.push_back(i);
-    }
-    if (band.empty()) {  // any map is as good
-      out_.equivalent_resolution = {1, false};
-      return;
-    }
-    const std::size_t stride = (band.size() + kBandSamples - 1) / kBandSamples;
-    std::vector<std::size_t> sample;
-    std::uint64_t allowed = 0;
-    for (std::size_t n = 0; n < band.size(); n += stride) {
-      sample.push_back(band[n]);
-      allowed += (verdicts_[band[n]] == Verdict::kDark) != (out_.exact_paper[band[n]] != 0);
-    }
-    const auto good = [&](std::uint64_t side) {
-      std::uint64_t wrong = 0;
-      for (const std::size_t i : sample) {
-        const Verdict v =
-            plain_map_verdict(reference_, fragments()[i], Semantics::kPaper, side,
-                              static_cast<std::uint32_t>(config_.map_width),
-                              static_cast<std::uint32_t>(config_.map_height), setup_.fraction_bits);
-        wrong += (v == Verdict::kDark) != (out_.exact_paper[i] != 0);
-        if (wrong > allowed) return false;
-      }
-      return true;
-    };
-    std::uint64_t high = 1;
-    while (high < options_.largest_plain_side && !good(high)) {
-      if (options_.progress)
-        options_.progress("equivalent resolution",
-                          double(high) / double(options_.largest_plain_side));
-      high *= 2;
-    }
-    if (high >= options_.largest_plain_side && !good(high)) {
-      out_.equivalent_resolution = {high, true};
-      return;
-    }
-    std::uint64_t low = high / 2;
-    for (int i = 0; i < 5 && high - low > 1; ++i) {
-      const std::uint64_t middle = low + (high - low) / 2;
-      (good(middle) ? high : low) = middle;
-    }
-    out_.equivalent_resolution = {high, false};
+  void beside_plain_maps() {
+    const Semantics semantics = main_semantics(config_);
+    const bool paper = semantics == Semantics::kPaper;
+    const UnitRun& run = paper ? paper_ : physical_;
+    const PlainComparison frame{trace_,
+                                config_,
+                                setup_,
+                                reference_,
+                                semantics,
+                                run.verdicts,
+                                paper ? out_.exact_paper : out_.exact_physical,
+                                judged_,
+                                paper ? in_band_paper_ : in_band_physical_};
+    const UnitCounters c = run.engine.counters();
+    out_.plain_same_side = plain_map_figures(frame, 1);
+    out_.plain_equal_bytes =
+        plain_map_figures(frame, grow_to_bytes(config_, c.map_bytes + c.allocated_bytes));
+    if (options_.equivalent_resolution)
+      out_.equivalent_resolution = equivalent_resolution(frame, options_);
   }
 
   const Trace& trace_;
   const UnitConfig& config_;
   const FrameSetup& setup_;
-  const Engine& engine_;
-  const std::vector<Verdict>& verdicts_;
+  const UnitRun& paper_;
+  const UnitRun& physical_;
   const JudgeOptions& options_;
   const ExactReference reference_;
   std::vector<std::uint8_t> judged_, in_band_paper_, in_band_physical_;
@@ -267,9 +240,8 @@ const char* cause_name(Cause cause) {
 }
 
 Judgement judge(const Trace& trace, const UnitConfig& config, const FrameSetup& setup,
-                const Engine& engine, const std::vector<Verdict>& verdicts,
-                const JudgeOptions& options) {
-  return Judge(trace, config, setup, engine, verdicts, options).run();
+                const UnitRun& paper, const UnitRun& physical, const JudgeOptions& options) {
+  return Judge(trace, config, setup, paper, physical, options).run();
 }
 
 }  // namespace kagesen

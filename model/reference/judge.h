@@ -11,7 +11,13 @@
 
 namespace kagesen {
 
-/// Why a fragment is wrong. Exactly one holds for each; kOther is a bug until explained.
+/// The semantics that a run's own verdicts are meant in, and in which it is held beside plain maps.
+inline Semantics main_semantics(const UnitConfig& config) {
+  return config.profile == Profile::kWinding ? config.semantics : Semantics::kPaper;
+}
+
+/// Why a fragment is wrong. Exactly one holds for each; kOther is a bug until explained. The
+/// winding profile knows kQuantisation, kDepth, kCapacity and kOther (winding_cause.h).
 enum class Cause : std::uint8_t {
   kNone,
   kQuantisation,   ///< right with the unrounded lines in place of the stored ones
@@ -33,7 +39,9 @@ struct ErrorFigures {
   double displacement_mean = 0, displacement_p99 = 0,
          displacement_max = 0;       ///< texels, of wrong ones
   bool displacement_capped = false;  ///< some lie farther than the search went (8 texels)
-  std::uint64_t beyond_bound = 0;  ///< wrong, farther than 2^-fraction_bits texel, clear of contact
+  /// Wrong, farther than 2^-fraction_bits texel from a boundary, and clear of contact: in the paper
+  /// profile by 4 depth units, in the winding profile by its contract (contact.h).
+  std::uint64_t beyond_bound = 0;
   std::array<std::uint64_t, kCauseCount> causes{};
   double rate() const { return judged ? double(wrong) / double(judged) : 0; }
   double band_rate() const { return band ? double(band_wrong) / double(band) : 0; }
@@ -44,17 +52,34 @@ struct EquivalentResolution {
   bool at_least = false;   ///< true: even the largest side tried had more
 };
 
-/// A plain map of the same semantics on the same fragments.
+/// A plain map of the same semantics on the same fragments. `bias`: depth units, in physical
+/// semantics alone, where it is the constant with which the map errs least on this frame.
 struct PlainFigures {
-  std::uint64_t side = 0, bytes = 0, wrong = 0, band_wrong = 0;
+  std::uint64_t side = 0, bytes = 0, wrong = 0, band_wrong = 0, bias = 0;
 };
 
+/// One run of the unit over a frame.
+struct UnitRun {
+  const Engine& engine;                  ///< after its pass 2; its buffers tell the causes
+  const std::vector<Verdict>& verdicts;  ///< a fragment each
+};
+
+/// `paper` is about the verdicts held against paper semantics, `physical` about those held against
+/// physical semantics. They are the same in the paper profile; in the winding profile they are of
+/// two runs, each set to its semantics.
 struct Judgement {
   std::vector<std::uint8_t> exact_paper, exact_physical;  ///< a fragment each, 1 = dark
   std::vector<Cause> cause_paper, cause_physical;         ///< a fragment each
   ErrorFigures paper, physical;
-  EquivalentResolution equivalent_resolution;       ///< paper semantics
-  PlainFigures plain_same_side, plain_equal_bytes;  ///< paper semantics
+  EquivalentResolution equivalent_resolution;       ///< main_semantics()
+  PlainFigures plain_same_side, plain_equal_bytes;  ///< main_semantics()
+
+  const ErrorFigures& figures_in(Semantics semantics) const {
+    return semantics == Semantics::kPaper ? paper : physical;
+  }
+  const std::vector<Cause>& causes_in(Semantics semantics) const {
+    return semantics == Semantics::kPaper ? cause_paper : cause_physical;
+  }
 };
 
 struct JudgeOptions {
@@ -63,9 +88,8 @@ struct JudgeOptions {
   std::function<void(const std::string& stage, double done)> progress;  ///< may be empty
 };
 
-/// @param engine  after its pass 2; its buffers tell the causes
+/// @param paper, physical  what is held against each semantics; the same twice in the paper profile
 Judgement judge(const Trace& trace, const UnitConfig& config, const FrameSetup& setup,
-                const Engine& engine, const std::vector<Verdict>& verdicts,
-                const JudgeOptions& options = {});
+                const UnitRun& paper, const UnitRun& physical, const JudgeOptions& options = {});
 
 }  // namespace kagesen

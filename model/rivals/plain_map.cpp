@@ -72,14 +72,21 @@ void PlainMap::draw(const Caster& caster) {
   }
 }
 
-Verdict plain_map_verdict(const ExactReference& reference, const Fragment& f, Semantics semantics,
-                          std::uint64_t side, std::uint32_t map_width, std::uint32_t map_height,
-                          std::uint32_t fraction_bits) {
+DepthSample plain_map_sample(const ExactReference& reference, const Fragment& f, std::uint64_t side,
+                             std::uint32_t map_width, std::uint32_t map_height,
+                             std::uint32_t fraction_bits) {
   const PlainAxis x_axis(side, map_width, fraction_bits), y_axis(side, map_height, fraction_bits);
   const std::int64_t x = x_axis.sample(x_axis.texel(f.position.x));
   const std::int64_t y = y_axis.sample(y_axis.texel(f.position.y));
-  if (!in_range(x) || !in_range(y)) return PlainMap::decide(DepthSample{}, f, semantics);
-  return PlainMap::decide(reference.nearest(std::int32_t(x), std::int32_t(y)), f, semantics);
+  if (!in_range(x) || !in_range(y)) return {};
+  return reference.nearest(std::int32_t(x), std::int32_t(y));
+}
+
+Verdict plain_map_verdict(const ExactReference& reference, const Fragment& f, Semantics semantics,
+                          std::uint64_t side, std::uint32_t map_width, std::uint32_t map_height,
+                          std::uint32_t fraction_bits) {
+  return PlainMap::decide(
+      plain_map_sample(reference, f, side, map_width, map_height, fraction_bits), f, semantics);
 }
 
 }  // namespace kagesen

@@ -59,9 +59,13 @@ class PlainMap {
   /// Paper semantics: dark iff the texel's ID differs from the fragment's and its depth is nearer.
   /// Physical: dark iff the depth is nearer by more than `bias`.
   Verdict decide(const Fragment& f, Semantics semantics, std::uint32_t bias = 0) const {
+    return decide(sample(f), f, semantics, bias);
+  }
+  /// What the fragment's texel holds.
+  DepthSample sample(const Fragment& f) const {
     const Texel& t =
         texels_[std::size_t(y_.texel(f.position.y) * x_.side() + x_.texel(f.position.x))];
-    return decide({t.depth, t.object}, f, semantics, bias);
+    return {t.depth, t.object};
   }
   /// The verdict from the sample of the fragment's texel.
   static Verdict decide(const DepthSample& sample, const Fragment& f, Semantics semantics,
@@ -88,8 +92,12 @@ class PlainMap {
   std::vector<std::int32_t> columns_;  ///< samples of the columns, units
 };
 
-/// The verdict a plain map of the given side would give, from one exact query at the texel's
-/// centre; for sides far too large to store.
+/// What the fragment's texel would hold in a plain map of the given side, from one exact query at
+/// its centre; for sides far too large to store.
+DepthSample plain_map_sample(const ExactReference& reference, const Fragment& f, std::uint64_t side,
+                             std::uint32_t map_width, std::uint32_t map_height,
+                             std::uint32_t fraction_bits);
+/// The verdict from that sample.
 Verdict plain_map_verdict(const ExactReference& reference, const Fragment& f, Semantics semantics,
                           std::uint64_t side, std::uint32_t map_width, std::uint32_t map_height,
                           std::uint32_t fraction_bits);

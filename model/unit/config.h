@@ -69,13 +69,13 @@ struct UnitConfig {
 
   // Winding profile alone.
   Semantics semantics = Semantics::kPhysical;
-  std::int64_t end_guard_bits = 2;    // of a segment's ends, beyond fraction_bits
+  std::int64_t end_guard_bits = 3;    // of a segment's ends, beyond fraction_bits
   std::int64_t gradient_bits = 7;     // mantissa of a plane's gradient
   std::int64_t plane_step_bits = 4;   // log2 of the depth step of stored planes
   std::int64_t plane_tolerance = 16;  // depth units within which facets share a plane
   std::int64_t corner_bits = 8;       // of a cluster's corner count
   std::int64_t segments_per_record = 2;
-  std::int64_t cluster_records = 1 << 21;  // capacity of the SLB
+  std::int64_t cluster_records = 1 << 22;  // capacity of the SLB
   std::int64_t chain_records = 16384;      // of one texel's list
   bool skip_receiver_mask = true;
   bool skip_first_test = true;

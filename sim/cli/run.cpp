@@ -28,11 +28,14 @@ struct RunOptions {
 
 SceneExact check_scene(const Scene& scene, const LightSpace& light_space, const Trace& trace,
                        const RunResult& result) {
-  std::vector<std::uint8_t> dark;
-  dark.reserve(result.verdicts.size());
-  for (const Verdict verdict : result.verdicts) dark.push_back(verdict == Verdict::kDark);
+  const auto dark_in = [&](Semantics semantics) {
+    std::vector<std::uint8_t> dark;
+    for (const Verdict v : result.verdicts_in(semantics)) dark.push_back(v == Verdict::kDark);
+    return dark;
+  };
   SceneExact exact;
-  exact.unit = scene_exact(scene, light_space, trace, dark, dark);
+  exact.unit = scene_exact(scene, light_space, trace, dark_in(Semantics::kPaper),
+                           dark_in(Semantics::kPhysical));
   if (result.judgement) {
     exact.trace = scene_exact(scene, light_space, trace, result.judgement->exact_paper,
                               result.judgement->exact_physical);
@@ -44,6 +47,7 @@ void run(RunOptions& options) {
   const bool json_to_stdout = options.json == "-";
   Progress progress(!json_to_stdout);
   options.simulate.reference = !options.no_reference;
+  options.simulate.both_semantics = options.scene_exact;
   options.simulate.progress = progress.callback();
   Settings settings = load_settings(options.settings);
   make_engine(options.simulate.engine);  // refuses an unknown one before any work

@@ -32,12 +32,61 @@ void add_warnings(const Trace& trace, RunResult& result) {
                     counted(std::uint64_t(result.config.id_bits), "bit") +
                         (result.config.id_bits == 1 ? " is" : " are")));
   }
-  if (counters.overflow_texels > 0) {
+  if (counters.overflow_texels > 0 && result.config.profile == Profile::kWinding) {
+    result.warnings.push_back(fmt::format("{} of {} found no room; raise cluster_records",
+                                          counted(counters.overflow_lines, "segment"),
+                                          counted(counters.overflow_texels, "texel")));
+  } else if (counters.overflow_texels > 0) {
     result.warnings.push_back(fmt::format(
         "{} of {} found no room; overflowed texels answer as a plain map does",
         counted(counters.overflow_lines, "line"), counted(counters.overflow_texels, "texel")));
   }
 }
+
+UnitConfig in_other_semantics(UnitConfig config) {
+  const bool paper = config.semantics == Semantics::kPaper;
+  config.semantics = paper ? Semantics::kPhysical : Semantics::kPaper;
+  return config;
+}
+
+/// Takes engines through one frame.
+struct Passes {
+  const Trace& trace;
+  const std::function<void(const std::string& stage, double done)>& progress;
+
+  /// @param stage_done  called after each stage with its name in report.json
+  template <class StageDone>
+  std::vector<Verdict> run(Engine& engine, const UnitConfig& config, const FrameSetup& setup,
+                           StageDone stage_done) const {
+    const std::vector<Fragment>& fragments = trace.all_fragments;
+    engine.begin(config, setup);
+    if (config.profile == Profile::kWinding) {
+      in_portions("announcing", fragments.size(), [&](std::size_t at, std::size_t count) {
+        engine.announce(fragments.data() + at, count);
+      });
+      stage_done("announce");
+    }
+    in_portions("pass 1", trace.all_casters.size(), [&](std::size_t at, std::size_t count) {
+      engine.draw(trace.all_casters.data() + at, count);
+    });
+    stage_done("pass1");
+    std::vector<Verdict> verdicts(fragments.size());
+    in_portions("pass 2", fragments.size(), [&](std::size_t at, std::size_t count) {
+      engine.decide(fragments.data() + at, count, verdicts.data() + at);
+    });
+    stage_done("pass2");
+    return verdicts;
+  }
+
+ private:
+  template <class Use>
+  void in_portions(const char* stage, std::size_t total, Use use) const {
+    for (std::size_t at = 0; at < total; at += kPortion) {
+      if (progress) progress(stage, double(at) / double(total));
+      use(at, std::min(kPortion, total - at));
+    }
+  }
+};
 
 }  // namespace
 
@@ -47,45 +96,46 @@ std::unique_ptr<Engine> make_engine(const std::string& name) {
 }
 
 RunResult simulate(const Trace& trace, const UnitConfig& config, const SimulateOptions& options) {
-  const auto progress = [&](const char* stage, double done) {
-    if (options.progress) options.progress(stage, done);
-  };
   RunResult result;
   result.config = config;
   result.engine = options.engine;
   result.warnings = trace.header.warnings;
-  const std::unique_ptr<Engine> engine = make_engine(options.engine);
+  const std::unique_ptr<Engine> engine = options.make(options.engine);
+  const bool winding = config.profile == Profile::kWinding;
 
   Stopwatch watch;
   std::uint64_t aliased_objects = 0;
   const FrameSetup setup = make_frame_setup(trace, config, &aliased_objects);
-  engine->begin(config, setup);
-  const auto& casters = trace.all_casters;
-  for (std::size_t at = 0; at < casters.size(); at += kPortion) {
-    progress("pass 1", double(at) / double(casters.size()));
-    engine->draw(casters.data() + at, std::min(kPortion, casters.size() - at));
-  }
-  result.stages_s.emplace_back("pass1", watch.lap());
-
-  const auto& fragments = trace.all_fragments;
-  result.verdicts.resize(fragments.size());
-  for (std::size_t at = 0; at < fragments.size(); at += kPortion) {
-    progress("pass 2", double(at) / double(fragments.size()));
-    engine->decide(fragments.data() + at, std::min(kPortion, fragments.size() - at),
-                   result.verdicts.data() + at);
-  }
-  result.stages_s.emplace_back("pass2", watch.lap());
+  if (winding) result.stages_s.emplace_back("setup", watch.lap());
+  const Passes passes{trace, options.progress};
+  result.verdicts = passes.run(*engine, config, setup, [&](const char* stage) {
+    result.stages_s.emplace_back(stage, watch.lap());
+  });
 
   result.contents = engine->contents();
   result.counters = engine->counters();
   result.counters.aliased_objects = aliased_objects;
   add_warnings(trace, result);
   result.stages_s.emplace_back("contents", watch.lap());
+
+  std::unique_ptr<Engine> other;
+  if (winding && (options.reference || options.both_semantics)) {
+    const UnitConfig other_config = in_other_semantics(config);
+    other = options.make(options.engine);
+    result.other_verdicts =
+        passes.run(*other, other_config, make_frame_setup(trace, other_config), [](const char*) {});
+    result.stages_s.emplace_back("other_semantics", watch.lap());
+  }
   if (options.reference) {
     JudgeOptions judging;
     judging.equivalent_resolution = options.equivalent_resolution;
     judging.progress = options.progress;
-    result.judgement = judge(trace, config, setup, *engine, result.verdicts, judging);
+    const auto run_in = [&](Semantics semantics) -> UnitRun {
+      const bool main = !winding || semantics == config.semantics;
+      return {main ? *engine : *other, result.verdicts_in(semantics)};
+    };
+    result.judgement = judge(trace, config, setup, run_in(Semantics::kPaper),
+                             run_in(Semantics::kPhysical), judging);
     result.stages_s.emplace_back("reference", watch.lap());
   }
   return result;

@@ -91,7 +91,9 @@ std::vector<std::uint8_t> mask_values(const Trace& trace, const std::vector<Verd
 
 Canvas error_picture(const Trace& trace, const RunResult& result, bool legend) {
   const Canvas frame = shaded_picture(trace, result.verdicts);
-  const ErrorFigures& figures = result.judgement->paper;
+  const Semantics semantics = main_semantics(result.config);
+  const ErrorFigures& figures = result.judgement->figures_in(semantics);
+  const std::vector<Cause>& causes = result.judgement->causes_in(semantics);
   const int width = frame.width(), height = frame.height();
   const int scale = width >= 960 ? 2 : 1;
   const auto entries = legend_entries(figures);
@@ -111,7 +113,7 @@ Canvas error_picture(const Trace& trace, const RunResult& result, bool legend) {
   // themselves.
   for (const bool halo : {true, false}) {
     for_each_visible(trace, [&](std::size_t, std::size_t i) {
-      const Cause cause = result.judgement->cause_paper[i];
+      const Cause cause = causes[i];
       if (cause == Cause::kNone) return;
       const Fragment& f = trace.all_fragments[i];
       if (!halo) {

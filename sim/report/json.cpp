@@ -15,6 +15,10 @@ Json input_json(const Trace& trace, const RunResult& result) {
           {"objects", summary.objects},
           {"closed_objects", summary.closed_objects},
           {"receivers", summary.receivers},
+          {"objects_drawn",
+           {{"light_facing", summary.drawn_light_facing},
+            {"all", summary.drawn_all},
+            {"receivers", summary.receivers}}},
           {"casters", summary.casters},
           {"light", header.light},
           {"scale", {header.scale_x, header.scale_y}},
@@ -43,6 +47,7 @@ Json error_json(const ErrorFigures& figures) {
 Json plain_json(const PlainFigures& plain) {
   return {{"side", plain.side},
           {"bytes", plain.bytes},
+          {"bias", plain.bias},
           {"wrong", plain.wrong},
           {"band_wrong", plain.band_wrong}};
 }
@@ -112,6 +117,19 @@ Json counters_json(const UnitCounters& c) {
           {"aliased_objects", c.aliased_objects}};
 }
 
+Json skips_json(const SkipCounters& s) {
+  return {{"texel_visits", s.texel_visits},
+          {"masked_visits", s.masked_visits},
+          {"hidden_visits", s.hidden_visits},
+          {"inner_edge_texels", s.inner_edge_texels},
+          {"cleared_texels", s.cleared_texels},
+          {"known_fragments", s.known_fragments},
+          {"tile_lit", s.tile_lit},
+          {"tile_dark", s.tile_dark},
+          {"texel_lookups", s.texel_lookups},
+          {"first_test_dark", s.first_test_dark}};
+}
+
 }  // namespace
 
 nlohmann::ordered_json config_json(const UnitConfig& config) {
@@ -145,6 +163,7 @@ nlohmann::ordered_json report_json(const Trace& trace, const RunResult& result) 
                  {"height", result.contents.height},
                  {"bytes", result.counters.map_bytes}};
   json["counters"] = counters_json(result.counters);
+  if (result.config.profile == Profile::kWinding) json["skips"] = skips_json(result.counters.skips);
   json["warnings"] = result.warnings;
   json["time_s"] = result.time_s();
   Json stages = Json::object();

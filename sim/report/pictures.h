@@ -14,16 +14,18 @@ namespace kagesen {
 Canvas shaded_picture(const Trace& trace, const std::vector<Verdict>& verdicts);
 /// 255 lit, 0 dark, 128 where the camera sees nothing.
 std::vector<std::uint8_t> mask_values(const Trace& trace, const std::vector<Verdict>& verdicts);
-/// The frame in grey, wrong fragments coloured by cause (paper semantics), and below it a legend.
+/// The frame in grey, wrong fragments coloured by cause (main_semantics()), and below it a legend.
 /// @param legend  false: the frame alone
 Canvas error_picture(const Trace& trace, const RunResult& result, bool legend = true);
-/// Lines a texel over the depth buffer, and below it the scale. Small maps are enlarged.
-Canvas lines_picture(const MapContents& contents);
+/// Lines a texel (winding: segments) over the depth buffer, and below it the scale. Small maps are
+/// enlarged.
+Canvas lines_picture(const RunResult& result);
 
 /// Multi-channel EXR of the frame; -1 where the camera sees nothing.
 std::string frame_exr(const Trace& trace, const RunResult& result);
-/// Multi-channel EXR of the map; -1 where nothing was written.
-std::string map_exr(const MapContents& contents);
+/// Multi-channel EXR of the map; -1 where nothing was written. `lines` and `entries` are segments
+/// and clusters in the winding profile.
+std::string map_exr(const RunResult& result);
 
 inline constexpr const char* kPictureNames[] = {"shaded.png", "mask.png",  "errors.png",
                                                 "lines.png",  "frame.exr", "map.exr"};

@@ -23,14 +23,20 @@ struct SceneExact {
 struct RunResult {
   UnitConfig config;
   std::string engine;
-  std::vector<Verdict> verdicts;  ///< a fragment each
+  std::vector<Verdict> verdicts;        ///< a fragment each
+  std::vector<Verdict> other_verdicts;  ///< winding: in the other semantics; empty where not run
   MapContents contents;
   UnitCounters counters;
   std::optional<Judgement> judgement;                    ///< absent without the reference
-  std::optional<SceneExact> scene_exact;  ///< absent unless asked for
+  std::optional<SceneExact> scene_exact;                 ///< absent unless asked for
   std::vector<std::string> warnings;                     ///< the trace's own, then the unit's
   std::vector<std::pair<std::string, double>> stages_s;  ///< wall time of each stage, in order
 
+  /// The verdicts to hold against a semantics: in the paper profile the same ones against both.
+  const std::vector<Verdict>& verdicts_in(Semantics semantics) const {
+    const bool other = config.profile == Profile::kWinding && semantics != config.semantics;
+    return other ? other_verdicts : verdicts;
+  }
   double time_s() const {
     double sum = 0;
     for (const auto& stage : stages_s) sum += stage.second;
@@ -41,6 +47,9 @@ struct RunResult {
 /// Figures that follow from the trace and the verdicts alone.
 struct Summary {
   std::uint64_t triangles = 0, objects = 0, closed_objects = 0, receivers = 0;
+  /// Objects by what of them is drawn: their light-facing side (closed ones), every triangle (open
+  /// and non-manifold ones); receivers are drawn not at all.
+  std::uint64_t drawn_light_facing = 0, drawn_all = 0;
   std::uint64_t casters = 0, fragments = 0, dark = 0, lit = 0;
 };
 inline Summary summarise(const Trace& trace, const RunResult& result) {
@@ -49,6 +58,8 @@ inline Summary summarise(const Trace& trace, const RunResult& result) {
     s.triangles += object.triangles;
     s.closed_objects += object.closed;
     s.receivers += !object.caster;
+    s.drawn_light_facing += object.caster && object.closed;
+    s.drawn_all += object.caster && !object.closed;
   }
   s.objects = trace.header.objects.size();
   s.casters = trace.all_casters.size();

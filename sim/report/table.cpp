@@ -4,21 +4,10 @@
 
 #include <algorithm>
 
+#include "sim/report/rows.h"
+
 namespace kagesen {
 namespace {
-
-/// Rows "label  text"; the label is empty where a row continues the one above.
-class Rows {
- public:
-  void add(const std::string& label, const std::string& text) {
-    out_ += fmt::format("  {:<18}{}\n", label, text);
-  }
-  void heading(const std::string& text) { out_ += fmt::format("\n{}\n", text); }
-  std::string take() { return std::move(out_); }
-
- private:
-  std::string out_;
-};
 
 std::string displacement(const ErrorFigures& e) {
   if (e.wrong == 0) return "-";
@@ -31,46 +20,54 @@ std::string displacement(const ErrorFigures& e) {
          text(e.displacement_max);
 }
 
-void error_rows(Rows& rows, const Judgement& judgement) {
-  const ErrorFigures& paper = judgement.paper;
-  const ErrorFigures& physical = judgement.physical;
-  const auto row = [&](const std::string& label, const std::string& a, const std::string& b) {
-    rows.add(label, fmt::format("{:>28}{:>28}", a, b));
-  };
+void error_rows(Rows& rows, const RunResult& result) {
+  const ErrorFigures& paper = result.judgement->paper;
+  const ErrorFigures& physical = result.judgement->physical;
   const auto count = [&](const std::string& label, std::uint64_t ErrorFigures::*field) {
-    row(label, grouped(paper.*field), grouped(physical.*field));
+    rows.pair(label, grouped(paper.*field), grouped(physical.*field));
   };
-  rows.heading("Error against the exact reference");
-  row("", "paper (own ID lit)", "physical");
+  const bool winding = result.config.profile == Profile::kWinding;
+  rows.heading(winding ? "Error against the exact reference (the unit set to each semantics)"
+                       : "Error against the exact reference (the same verdicts against both)");
+  if (winding) contract_rows(rows, result);
+  rows.pair("", "paper (own ID lit)", "physical");
   count("judged", &ErrorFigures::judged);
   count("wrong", &ErrorFigures::wrong);
   count("  false lit", &ErrorFigures::false_lit);
   count("  false dark", &ErrorFigures::false_dark);
-  row("wrong of judged", one_in(paper.wrong, paper.judged),
-      one_in(physical.wrong, physical.judged));
-  row("wrong in the band", one_in(paper.band_wrong, paper.band),
-      one_in(physical.band_wrong, physical.band));
-  row("mean/p99/max texel", displacement(paper), displacement(physical));
+  rows.pair("wrong of judged", one_in(paper.wrong, paper.judged),
+            one_in(physical.wrong, physical.judged));
+  rows.pair("wrong in the band", one_in(paper.band_wrong, paper.band),
+            one_in(physical.band_wrong, physical.band));
+  rows.pair("mean/p99/max texel", displacement(paper), displacement(physical));
   count("beyond the bound", &ErrorFigures::beyond_bound);
   for (std::size_t i = 1; i < kCauseCount; ++i) {
     if (paper.causes[i] == 0 && physical.causes[i] == 0) continue;
-    row(fmt::format("  {}", cause_name(static_cast<Cause>(i))), grouped(paper.causes[i]),
-        grouped(physical.causes[i]));
+    rows.pair(fmt::format("  {}", cause_name(static_cast<Cause>(i))), grouped(paper.causes[i]),
+              grouped(physical.causes[i]));
   }
 }
 
-void plain_rows(Rows& rows, const Judgement& judgement) {
+const char* semantics_name(Semantics semantics) {
+  return semantics == Semantics::kPaper ? "paper" : "physical";
+}
+
+void plain_rows(Rows& rows, const RunResult& result) {
+  const Judgement& judgement = *result.judgement;
   const EquivalentResolution& equivalent = judgement.equivalent_resolution;
-  rows.heading("Beside a plain shadow map (paper semantics)");
+  const bool physical = main_semantics(result.config) == Semantics::kPhysical;
+  rows.heading(fmt::format("Beside a plain shadow map ({} semantics)",
+                           semantics_name(main_semantics(result.config))));
   if (equivalent.side > 0) {
     rows.add("as good as", fmt::format("{}{} x {} texels", equivalent.at_least ? "at least " : "",
                                        grouped(equivalent.side), grouped(equivalent.side)));
   }
   const auto plain = [&](const std::string& label, const PlainFigures& p) {
     if (p.side == 0) return;
-    rows.add(label, fmt::format("{} x {}, {}: {} wrong, {} of them in the band", grouped(p.side),
-                                grouped(p.side), bytes_text(p.bytes), grouped(p.wrong),
-                                grouped(p.band_wrong)));
+    rows.add(label, fmt::format("{} x {}, {}{}: {} wrong, {} of them in the band", grouped(p.side),
+                                grouped(p.side), bytes_text(p.bytes),
+                                physical ? fmt::format(", bias {}", grouped(p.bias)) : "",
+                                grouped(p.wrong), grouped(p.band_wrong)));
   };
   plain("of the same side", judgement.plain_same_side);
   plain("of equal bytes", judgement.plain_equal_bytes);
@@ -78,15 +75,13 @@ void plain_rows(Rows& rows, const Judgement& judgement) {
 
 void scene_exact_rows(Rows& rows, const SceneExact& exact) {
   rows.heading("Against rays on the meshes before snapping");
-  const auto row = [&](const std::string& label, const std::string& a, const std::string& b) {
-    rows.add(label, fmt::format("{:>28}{:>28}", a, b));
-  };
-  row("", "paper (own ID lit)", "physical");
-  row("judged", grouped(exact.unit.judged), grouped(exact.unit.judged));
-  row("unit differs", grouped(exact.unit.paper.wrong()), grouped(exact.unit.physical.wrong()));
+  rows.pair("", "paper (own ID lit)", "physical");
+  rows.pair("judged", grouped(exact.unit.judged), grouped(exact.unit.judged));
+  rows.pair("unit differs", grouped(exact.unit.paper.wrong()),
+            grouped(exact.unit.physical.wrong()));
   if (exact.trace) {
-    row("trace differs", grouped(exact.trace->paper.wrong()),
-        grouped(exact.trace->physical.wrong()));
+    rows.pair("trace differs", grouped(exact.trace->paper.wrong()),
+              grouped(exact.trace->physical.wrong()));
   }
 }
 
@@ -101,8 +96,28 @@ std::string chain_text(const UnitCounters& counters) {
   return text.empty() ? "none" : text;
 }
 
-std::string percent(std::uint64_t part, std::uint64_t whole) {
-  return whole ? fmt::format("{:.1f} %", 100.0 * double(part) / double(whole)) : "-";
+/// What of each kind of object is drawn.
+std::string drawn_text(const Summary& s) {
+  std::string text;
+  const auto add = [&](std::uint64_t count, const char* kind, const char* what) {
+    if (count == 0) return;
+    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", grouped(count), kind, what);
+  };
+  add(s.drawn_light_facing, "closed", " (light-facing side)");
+  add(s.drawn_all, "open", " (every triangle)");
+  add(s.receivers, s.receivers == 1 ? "receiver" : "receivers", " (nothing)");
+  return text.empty() ? "nothing" : text;
+}
+
+std::string engine_text(const RunResult& result) {
+  const UnitConfig& config = result.config;
+  const std::string fraction = counted(std::uint64_t(config.fraction_bits), "bit");
+  if (config.profile == Profile::kWinding) {
+    return fmt::format("{}, winding profile, {} semantics, fraction {}", result.engine,
+                       semantics_name(config.semantics), fraction);
+  }
+  return fmt::format("{}, fraction {}, slope {}", result.engine, fraction,
+                     counted(std::uint64_t(config.slope_bits), "bit"));
 }
 
 }  // namespace
@@ -124,19 +139,19 @@ std::string report_table(const Trace& trace, const RunResult& result,
   const TraceHeader& header = trace.header;
   const UnitCounters& counters = result.counters;
   const Summary s = summarise(trace, result);
+  const bool winding = result.config.profile == Profile::kWinding;
   Rows rows;
   rows.heading("Input");
   rows.add("scene", fmt::format("{}, {} light", header.source, header.light));
   rows.add("", fmt::format("{} in {}, {} of them closed", counted(s.triangles, "triangle"),
                            counted(s.objects, "object"), grouped(s.closed_objects)));
+  rows.add("drawn", drawn_text(s));
   rows.add("image", fmt::format("{} x {}, {}", header.image_width, header.image_height,
                                 counted(s.fragments, "fragment")));
   rows.add("map", fmt::format("{} x {} texels, scale {:g} x {:g}, {}", result.contents.width,
                               result.contents.height, header.scale_x, header.scale_y,
                               bytes_text(counters.map_bytes)));
-  rows.add("engine", fmt::format("{}, fraction {}, slope {}", result.engine,
-                                 counted(std::uint64_t(result.config.fraction_bits), "bit"),
-                                 counted(std::uint64_t(result.config.slope_bits), "bit")));
+  rows.add("engine", engine_text(result));
 
   rows.heading("Silhouette line buffer");
   rows.add("texels",
@@ -144,16 +159,22 @@ std::string report_table(const Trace& trace, const RunResult& result,
                        grouped(std::uint64_t(result.contents.width) * result.contents.height),
                        percent(counters.slb_texels,
                                std::uint64_t(result.contents.width) * result.contents.height)));
-  rows.add("lines", fmt::format("{} in {}", grouped(counters.slb_lines),
-                                grouped(counters.slb_entries) +
-                                    (counters.slb_entries == 1 ? " entry" : " entries")));
+  if (winding) {
+    rows.add("segments", fmt::format("{} in {}", grouped(counters.slb_lines),
+                                     counted(counters.slb_entries, "cluster")));
+  } else {
+    rows.add("lines", fmt::format("{} in {}", grouped(counters.slb_lines),
+                                  grouped(counters.slb_entries) +
+                                      (counters.slb_entries == 1 ? " entry" : " entries")));
+  }
   rows.add("memory", fmt::format("{} payload, {} allocated", bytes_text(counters.payload_bytes),
                                  bytes_text(counters.allocated_bytes)));
-  rows.add("entries a texel",
+  rows.add(winding ? "records a texel" : "entries a texel",
            fmt::format("{} (longest {})", chain_text(counters), counters.max_chain));
   if (counters.overflow_texels > 0) {
-    rows.add("overflow", fmt::format("{} in {}", counted(counters.overflow_lines, "line"),
-                                     counted(counters.overflow_texels, "texel")));
+    rows.add("overflow",
+             fmt::format("{} in {}", counted(counters.overflow_lines, winding ? "segment" : "line"),
+                         counted(counters.overflow_texels, "texel")));
   }
 
   rows.heading("Verdicts");
@@ -162,9 +183,10 @@ std::string report_table(const Trace& trace, const RunResult& result,
   rows.add("by definition", fmt::format("{} averted (dark), {} outside the light (lit)",
                                         grouped(counters.averted), grouped(counters.outside)));
   if (result.judgement) {
-    error_rows(rows, *result.judgement);
-    plain_rows(rows, *result.judgement);
+    error_rows(rows, result);
+    plain_rows(rows, result);
   }
+  if (winding) skip_rows(rows, result);
   if (result.scene_exact) scene_exact_rows(rows, *result.scene_exact);
 
   rows.heading("Time");

@@ -26,11 +26,11 @@ void write_pictures(const Trace& trace, const RunResult& result, const std::stri
       pictures.push_back({"errors.png", [&] { return encode_png(error_picture(trace, result)); }});
     }
   }
-  pictures.push_back({"lines.png", [&] { return encode_png(lines_picture(result.contents)); }});
+  pictures.push_back({"lines.png", [&] { return encode_png(lines_picture(result)); }});
   if (width > 0 && height > 0) {
     pictures.push_back({"frame.exr", [&] { return frame_exr(trace, result); }});
   }
-  pictures.push_back({"map.exr", [&] { return map_exr(result.contents); }});
+  pictures.push_back({"map.exr", [&] { return map_exr(result); }});
 
   std::vector<std::future<std::string>> encoded;
   for (const Picture& picture : pictures) {

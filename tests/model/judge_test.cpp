@@ -57,7 +57,7 @@ struct Frame {
     if (flip) {
       for (Verdict& v : verdicts) v = v == Verdict::kDark ? Verdict::kLit : Verdict::kDark;
     }
-    judgement = judge(trace, config, FrameSetup{}, *engine, verdicts);
+    judgement = judge(trace, config, FrameSetup{}, {*engine, verdicts}, {*engine, verdicts});
   }
   std::uint64_t count(Cause cause) const {
     return judgement.paper.causes[static_cast<std::size_t>(cause)];

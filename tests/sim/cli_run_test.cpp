@@ -127,6 +127,22 @@ TEST_F(CliRun, StableKeys) {
   EXPECT_GT(r.at("time_s"), 0);
 }
 
+TEST_F(CliRun, TheWindingProfileSaysWhatItSkippedAndIsJudgedInBothSemantics) {
+  const Json r = report(small({"run", "torus", "--set", "profile=winding"}));
+  EXPECT_EQ(r.at("config").at("semantics"), "physical");
+  EXPECT_EQ(r.at("skips").size(), 10u);
+  for (const char* stage : {"announce", "pass1", "pass2", "other_semantics", "reference"}) {
+    EXPECT_TRUE(r.at("stages_s").contains(stage)) << stage;
+  }
+  for (const char* semantics : {"paper", "physical"}) {
+    const Json& e = r.at("error").at(semantics);
+    EXPECT_GT(e.at("judged"), 0);
+    for (const char* cause : {"id_rule", "combination", "cancelling", "hidden_removal"}) {
+      EXPECT_EQ(e.at("causes").at(cause), 0) << cause;
+    }
+  }
+}
+
 TEST_F(CliRun, WhatWasNotComputedIsAbsent) {
   const Outcome outcome = run(small({"run", "--no-reference", "--verdicts", "v"}));
   ASSERT_EQ(outcome.status, 0) << outcome.err;

@@ -12,6 +12,7 @@
 #include "sim/report/pictures.h"
 #include "sim/report/table.h"
 #include "sim/report/verdicts.h"
+#include "tests/sim/tiny_run.h"
 #include "traces/format/error.h"
 
 namespace kagesen {
@@ -101,45 +102,6 @@ TEST_F(OutputsTest, CommitThatFailsHalfWayLeavesNoNewFile) {
   EXPECT_FALSE(fs::exists(path("refused.part")));
 }
 
-/// Two objects on a 4 x 2 image, one fragment a pixel but the first; the last is wrong.
-struct Tiny {
-  Trace trace;
-  RunResult result;
-  Tiny() {
-    trace.header.source = "tiny";
-    trace.header.light = "directional";
-    trace.header.image_width = 4;
-    trace.header.image_height = 2;
-    trace.header.objects = {{"ground", 2, false, false}, {"box", 12, true, true}};
-    for (std::uint16_t i = 1; i < 8; ++i) {
-      Fragment f;
-      f.pixel_x = i % 4;
-      f.pixel_y = i / 4;
-      f.object = i / 4;
-      f.flags = Fragment::kVisible;
-      trace.all_fragments.push_back(f);
-      result.verdicts.push_back(i > 3 ? Verdict::kDark : Verdict::kLit);
-    }
-    result.engine = "golden";
-    result.contents.width = result.contents.height = 2;
-    result.contents.depth = {5, 9, 0xffffff, 0xffffff};
-    result.contents.object = {1, 1, kNoObject, kNoObject};
-    result.contents.overflowed = {0, 0, 0, 0};
-    result.contents.entries = {{1, 0, 1, 9, false, std::vector<LineRecord>(2)}};
-  }
-  void judge() {
-    Judgement judgement;
-    judgement.exact_paper = judgement.exact_physical = {0, 0, 0, 1, 1, 1, 0};
-    judgement.cause_paper.assign(7, Cause::kNone);
-    judgement.cause_physical = judgement.cause_paper;
-    judgement.cause_paper[6] = Cause::kQuantisation;
-    judgement.paper.judged = 7;
-    judgement.paper.wrong = judgement.paper.false_dark = 1;
-    judgement.paper.causes[1] = 1;
-    result.judgement = judgement;
-  }
-};
-
 TEST(Json, LeavesOutWhatIsUnknown) {
   Tiny tiny;
   EXPECT_FALSE(report_json(tiny.trace, tiny.result).contains("error"));
@@ -152,6 +114,10 @@ TEST(Json, LeavesOutWhatIsUnknown) {
   EXPECT_EQ(json["verdict"]["dark"], 4);
   EXPECT_EQ(json["input"]["triangles"], 14);
   EXPECT_EQ(json["input"]["closed_objects"], 1);
+  EXPECT_EQ(json["input"]["objects_drawn"]["light_facing"], 1);
+  EXPECT_EQ(json["input"]["objects_drawn"]["all"], 0);
+  EXPECT_EQ(json["input"]["objects_drawn"]["receivers"], 1);
+  EXPECT_FALSE(json.contains("skips"));
   EXPECT_TRUE(json["config"]["match_polygon_id"].is_boolean());
   EXPECT_TRUE(json["config"]["slope_bits"].is_number_integer());
 }
@@ -173,7 +139,7 @@ TEST(Pictures, MaskAndColours) {
 
 TEST(Pictures, SmallMapsAreEnlarged) {
   const Tiny tiny;
-  const Canvas lines = lines_picture(tiny.result.contents);
+  const Canvas lines = lines_picture(tiny.result);
   EXPECT_EQ(lines.width(), 512);
   const Rgb with_lines = lines.get(300, 10), depth_only = lines.get(10, 10);
   EXPECT_GT(with_lines.r, with_lines.b);

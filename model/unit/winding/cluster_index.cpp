@@ -7,7 +7,14 @@ namespace kagesen::unit::winding {
 namespace {
 
 constexpr std::size_t kLeaf = 8;
-constexpr int kDeepest = 8;
+
+/// As many leaves as would hold so many clusters side by side: where they lie in layers, more
+/// would not part them.
+int levels(std::size_t clusters) {
+  int n = 0;
+  while ((std::size_t{kLeaf} << (2 * n)) < 4 * clusters) ++n;
+  return n;
+}
 
 }  // namespace
 
@@ -25,6 +32,7 @@ ClusterIndex::ClusterIndex(const SilhouetteBuffer& slb, std::uint32_t list, cons
     all.push_back(2 * rank + slb[members_[rank]].full);
   }
   nodes_.emplace_back();
+  smallest_ = std::int64_t{1} << std::max(texel_bits_ - levels(all.size()), 0);
   split(0, {0, 0, std::int64_t{1} << texel_bits_}, std::move(all));
 }
 
@@ -49,10 +57,9 @@ int ClusterIndex::relation(const Cluster& cluster, const Square& square) const {
 
 void ClusterIndex::split(std::uint32_t node, const Square& square,
                          std::vector<std::uint32_t> entries) {
-  const std::int64_t smallest = std::int64_t{1} << std::max(texel_bits_ - kDeepest, 0);
   const bool undecided = std::any_of(entries.begin(), entries.end(),
                                      [](std::uint32_t entry) { return (entry & 1) == 0; });
-  if (entries.size() <= kLeaf || !undecided || square.side <= smallest) {
+  if (entries.size() <= kLeaf || !undecided || square.side <= smallest_) {
     nodes_[node].begin = static_cast<std::uint32_t>(entries_.size());
     entries_.insert(entries_.end(), entries.begin(), entries.end());
     nodes_[node].end = static_cast<std::uint32_t>(entries_.size());

@@ -12,8 +12,8 @@ namespace kagesen::unit::winding {
 
 class ClusterIndex {
  public:
-  /// Lists shorter than this are read through.
-  static constexpr std::uint32_t kWorthwhile = 24;
+  /// Lists shorter than this, or looked up less often, are read through.
+  static constexpr std::uint32_t kWorthwhile = 64;
 
   ClusterIndex(const SilhouetteBuffer& slb, std::uint32_t list, const Widths& widths);
 
@@ -51,6 +51,7 @@ class ClusterIndex {
 
   const SilhouetteBuffer& slb_;
   int texel_bits_, shift_;
+  std::int64_t smallest_ = 1;  // side of a leaf that is not split
   std::vector<std::uint32_t> members_;
   std::vector<std::uint64_t> segments_before_;
   std::vector<Node> nodes_;

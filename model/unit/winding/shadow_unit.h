@@ -1,6 +1,7 @@
 #pragma once
 /// The shadow unit in the winding profile: both passes, block by block.
 #include <cstdint>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
@@ -107,7 +108,11 @@ class ShadowUnit {
   TexelBuffers texels_;
   SilhouetteBuffer slb_;
   VisitedRows rows_;
-  std::unordered_map<std::uint32_t, ClusterIndex> indices_;  // pass 2: of long lists
+  struct LongList {
+    std::uint32_t lookups = 0;
+    std::unique_ptr<ClusterIndex> index;
+  };
+  std::unordered_map<std::uint32_t, LongList> long_lists_;  // pass 2
   bool settled_ = true;
   UnitCounters counters_;
 };

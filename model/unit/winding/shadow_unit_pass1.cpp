@@ -20,7 +20,7 @@ void ShadowUnit::begin(const UnitConfig& config, const FrameSetup& setup) {
                 static_cast<std::uint32_t>(config.map_height));
   slb_.clear(static_cast<std::uint32_t>(config.cluster_records),
              static_cast<std::uint32_t>(config.segments_per_record));
-  indices_.clear();
+  long_lists_.clear();
   settled_ = true;
   counters_ = UnitCounters{};
 }

@@ -7,7 +7,7 @@ namespace kagesen::unit::winding {
 void ShadowUnit::settle() {
   if (settled_) return;
   settled_ = true;
-  indices_.clear();
+  long_lists_.clear();
   for (Tile& tile : texels_.tiles()) {
     if (tile.slot == Tile::kUntouched) continue;
     for (std::uint32_t i = 0; i < TexelBuffers::kTileTexels; ++i) {
@@ -181,15 +181,16 @@ Verdict ShadowUnit::read_texel(const Texel& texel, const Fragment& fragment, Tal
   return Verdict::kLit;
 }
 
-/// Of a long list; null where reading it through costs less.
+/// Of a long list that is read often; null where reading it through costs less.
 const ClusterIndex* ShadowUnit::index_of(std::uint32_t list) {
   std::uint32_t count = 0;
   for (std::uint32_t at = list; at != SilhouetteBuffer::kNone; at = slb_[at].next) {
-    if (++count == ClusterIndex::kWorthwhile) {
-      const auto found = indices_.find(list);
-      if (found != indices_.end()) return &found->second;
-      return &indices_.emplace(list, ClusterIndex(slb_, list, widths_)).first->second;
+    if (++count < ClusterIndex::kWorthwhile) continue;
+    LongList& known = long_lists_[list];
+    if (known.index == nullptr && ++known.lookups > ClusterIndex::kWorthwhile) {
+      known.index = std::make_unique<ClusterIndex>(slb_, list, widths_);
     }
+    return known.index.get();
   }
   return nullptr;
 }
