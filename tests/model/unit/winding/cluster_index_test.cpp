@@ -19,7 +19,7 @@ class RandomList {
     widths.texel_bits = texel_bits;
     widths.end_bits = end_bits;
     slb.clear(1u << 20, 2);
-    const unsigned count = least + random_() % 90;
+    const unsigned count = least + random_() % 150;
     for (unsigned i = 0; i < count; ++i) add(int(i));
   }
 
@@ -125,7 +125,7 @@ INSTANTIATE_TEST_SUITE_P(Widths, WindingClusterIndex,
                                          std::pair(16, 10), std::pair(16, 16), std::pair(26, 12)));
 
 TEST(WindingClusterIndexAlone, CountsMembersAndSegmentsInListOrder) {
-  RandomList list(77, 16, 10, 30);
+  RandomList list(77, 16, 10, ClusterIndex::kWorthwhile + 1);
   const ClusterIndex index(list.slb, list.head, list.widths);
   std::uint32_t rank = 0;
   std::uint64_t segments = 0;

@@ -94,7 +94,7 @@ TEST_P(WindingContract, HoldsForAnySoup) {
   const int texel_bits = GetParam();
   Tally tally;
   const std::array fractions{8, 4, 10, 12, 14, 6, 15, 2};
-  for (unsigned seed = 0; seed < 48; ++seed) {
+  for (unsigned seed = 0; seed < 144; ++seed) {
     const int fraction_bits = fractions[seed / 4 % 8];
     const RandomTrace random(kScenes[seed % 4], texel_bits, fraction_bits,
                              10'000 * unsigned(texel_bits) + seed, 600);
