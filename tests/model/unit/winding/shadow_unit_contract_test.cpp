@@ -21,7 +21,9 @@ double documented_bias(const Caster& c, const UnitConfig& config, int texel_bits
   const double texel = std::ldexp(1, texel_bits), r = std::ldexp(1, -int(config.fraction_bits));
   const auto m =
       std::min<std::int64_t>(10, std::max(config.gradient_bits, config.fraction_bits - 1));
-  const double slack = r + std::ldexp(1, -int(m) - 1);
+  // The outline's two steps and the place's one: with two guard bits or more, less than r.
+  const int end_bits = std::min(int(config.fraction_bits + config.end_guard_bits), texel_bits);
+  const double slack = std::max(r, std::ldexp(3, -end_bits)) + std::ldexp(1, -int(m) - 1);
   const double fixed =
       2.0 * double(config.plane_tolerance) + std::ldexp(2, int(config.plane_step_bits)) + 8;
   const auto squared = [&](int i) {
