@@ -27,7 +27,7 @@ struct StoredBits {
     const auto per_record = static_cast<std::uint64_t>(c.segments_per_record);
     segment = 4 * (w.end_bits + 1) + 2;
     cluster = plane + id + static_cast<int>(c.corner_bits) + 1;
-    record = cluster + static_cast<int>(per_record) * segment + bits_for(per_record + 1) + 2 * link;
+    record = cluster + static_cast<int>(per_record) * segment + bits_for(per_record + 1) + 1 + link;
     texel = 2 + id + std::max(plane, kDepthBits + link);
     tile = bits_for(tiles + 1) + 2 * kDepthBits + id;
     if (c.skip_receiver_mask) tile += static_cast<int>(TexelBuffers::kTileTexels) + kDepthBits;

@@ -1,6 +1,7 @@
 #include "model/rivals/plain_map.h"
 
 #include "model/reference/triangle.h"
+#include "model/rivals/row_span.h"
 
 namespace kagesen {
 namespace {
@@ -8,24 +9,13 @@ namespace {
 /// No caster reaches a sample outside the range of coordinates.
 bool in_range(std::int64_t v) { return v >= kCoordinateMin && v <= kCoordinateMax; }
 
-std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
-  const std::int64_t q = a / b;
-  return q - (a % b != 0 && (a < 0) != (b < 0));
-}
-
 /// Cuts [low, high] to the x of row y that lie on the inner side of the edge from a to b.
 /// `orientation` is 1 if that side is the one of positive edge functions, else -1.
-void cut_span(const LightPoint& a, const LightPoint& b, std::int64_t orientation, std::int64_t y,
-              std::int64_t& low, std::int64_t& high) {
+void cut_row(const LightPoint& a, const LightPoint& b, std::int64_t orientation, std::int64_t y,
+             std::int64_t& low, std::int64_t& high) {
   const std::int64_t slope = -orientation * (std::int64_t{b.y} - a.y);  // slope x + constant >= 0
   const std::int64_t constant = orientation * (std::int64_t{b.x} - a.x) * (y - a.y) - slope * a.x;
-  if (slope > 0) {
-    low = std::max(low, -floor_divide(constant, slope));
-  } else if (slope < 0) {
-    high = std::min(high, floor_divide(constant, -slope));
-  } else if (constant < 0) {
-    high = low - 1;  // the whole row lies outside
-  }
+  cut_span(slope, constant, low, high);
 }
 
 }  // namespace
@@ -59,7 +49,7 @@ void PlainMap::draw(const Caster& caster) {
   for (std::int64_t row = y_.first_from(box.y0); row < last_row; ++row) {
     const std::int64_t y = y_.sample(row);
     std::int64_t low = box.x0, high = box.x1;
-    for (int i = 0; i < 3; ++i) cut_span(v[i], v[(i + 1) % 3], orientation, y, low, high);
+    for (int i = 0; i < 3; ++i) cut_row(v[i], v[(i + 1) % 3], orientation, y, low, high);
     if (low > high) continue;
     const std::int64_t last = x_.first_from(high + 1);
     for (std::int64_t column = x_.first_from(low); column < last; ++column) {

@@ -76,7 +76,7 @@ struct UnitConfig {
   std::int64_t corner_bits = 8;       // of a cluster's corner count
   std::int64_t segments_per_record = 2;
   std::int64_t cluster_records = 1 << 22;  // capacity of the SLB
-  std::int64_t chain_records = 16384;      // of one texel's list
+  std::int64_t chain_records = 1 << 20;    // of one texel's list
   bool skip_receiver_mask = true;
   bool skip_first_test = true;
   bool skip_tiles = true;

@@ -75,6 +75,7 @@ int run_program(int argc, char** argv) {
   add_trace(app);
   add_gbuffer(app);
   add_results(app);
+  add_curve(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -9,20 +9,10 @@
 #include "model/engine.h"
 #include "model/frame_setup.h"
 #include "model/rivals/plain_map.h"
-#include "traces/raster/capture.h"
-#include "traces/scene/scene.h"
+#include "tests/bench/bench_scenes.h"
 
 namespace kagesen {
 namespace {
-
-const Trace& default_trace() {
-  static const Trace trace = [] {
-    Trace t;
-    capture(make_builtin(builtin_scenes().front().name), CaptureOptions{}, t);
-    return t;
-  }();
-  return trace;
-}
 
 void BM_PlainMap(benchmark::State& state) {
   const Trace& trace = default_trace();

@@ -1,6 +1,8 @@
 #pragma once
 /// The shadow unit in the winding profile: both passes, block by block.
+#include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <unordered_map>
 #include <vector>
@@ -47,9 +49,20 @@ class ShadowUnit {
   /// A texel in which the facet being drawn has something to store.
   struct Visit {
     Texel* texel;
+    std::uint32_t index;  // of the texel among the touched ones
     Threshold threshold;
     std::int64_t farthest;
   };
+  /// Spares the model reading a long list through for each facet; hardware compares as it reads.
+  struct LongList {
+    std::map<std::array<std::uint32_t, 3>, std::uint32_t> clusters;  // by plane and object
+    std::uint32_t records = 0;
+  };
+  static constexpr std::uint32_t kLongList = 32;
+  static std::array<std::uint32_t, 3> plane_key(const Threshold& t, std::uint32_t object) {
+    return {static_cast<std::uint32_t>(t.base),
+            std::uint32_t{t.gradient_x} << 16 | std::uint32_t{t.gradient_y}, object};
+  }
   struct Tally {  // of one call of decide
     std::uint64_t averted = 0, outside = 0, dark_by_buffer = 0, dark_by_lines = 0;
     std::uint64_t known = 0, tile_lit = 0, tile_dark = 0, texels = 0, first_test = 0;
@@ -66,13 +79,17 @@ class ShadowUnit {
   /// False where nothing need be stored: masked, or behind what covers the texel.
   bool visit(std::uint32_t x, std::uint32_t y, const Threshold& threshold, std::uint32_t object,
              Visit& out);
+
+  // Pass 1, within a texel
   void add(const Visit& visit, std::uint32_t object, bool corner, const Segment* segment);
   void cover(const Visit& visit, std::uint32_t object);
   void overflow(const Visit& visit, std::uint32_t object);
   bool hidden(const Texel& texel, std::int64_t nearest, std::uint32_t object) const;
-  Cluster* cluster_of(const Visit& visit, std::uint32_t object, std::uint32_t& records);
-  std::uint32_t find(const Texel& texel, const Threshold& threshold, std::uint32_t object,
-                     std::uint32_t& records) const;
+  Cluster* cluster_of(const Visit& visit, std::uint32_t object);
+  std::uint32_t find(const Visit& visit, std::uint32_t object, std::uint32_t& records);
+  std::uint32_t find_in_long_list(const Visit& visit, std::uint32_t object, std::uint32_t& records);
+  LongList* long_list(const Visit& visit);
+  std::uint32_t records_of_list(const Visit& visit);
   bool open_list(Texel& texel);
   static void note_cover(Texel& texel, std::int64_t farthest, std::uint32_t object);
   void drop_hidden(Texel& texel);
@@ -108,11 +125,12 @@ class ShadowUnit {
   TexelBuffers texels_;
   SilhouetteBuffer slb_;
   VisitedRows rows_;
-  struct LongList {
+  std::unordered_map<std::uint32_t, LongList> long_lists_;  // pass 1, by texel
+  struct OftenRead {
     std::uint32_t lookups = 0;
     std::unique_ptr<ClusterIndex> index;
   };
-  std::unordered_map<std::uint32_t, LongList> long_lists_;  // pass 2
+  std::unordered_map<std::uint32_t, OftenRead> indices_;  // pass 2, by the list's head
   bool settled_ = true;
   UnitCounters counters_;
 };

@@ -8,6 +8,7 @@ void ShadowUnit::settle() {
   if (settled_) return;
   settled_ = true;
   long_lists_.clear();
+  indices_.clear();
   for (Tile& tile : texels_.tiles()) {
     if (tile.slot == Tile::kUntouched) continue;
     for (std::uint32_t i = 0; i < TexelBuffers::kTileTexels; ++i) {
@@ -186,7 +187,7 @@ const ClusterIndex* ShadowUnit::index_of(std::uint32_t list) {
   std::uint32_t count = 0;
   for (std::uint32_t at = list; at != SilhouetteBuffer::kNone; at = slb_[at].next) {
     if (++count < ClusterIndex::kWorthwhile) continue;
-    LongList& known = long_lists_[list];
+    OftenRead& known = indices_[list];
     if (known.index == nullptr && ++known.lookups > ClusterIndex::kWorthwhile) {
       known.index = std::make_unique<ClusterIndex>(slb_, list, widths_);
     }

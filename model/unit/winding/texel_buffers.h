@@ -68,12 +68,15 @@ class TexelBuffers {
   static std::uint32_t within(std::uint32_t x, std::uint32_t y) {
     return (y & 7) << kTileBits | (x & 7);
   }
-  /// @pre the tile is touched
+  /// Among the touched texels. @pre the tile is touched
+  static std::uint32_t index(const Tile& tile, std::uint32_t x, std::uint32_t y) {
+    return tile.slot * kTileTexels + within(x, y);
+  }
   Texel& texel(const Tile& tile, std::uint32_t x, std::uint32_t y) {
-    return texels_[std::size_t{tile.slot} * kTileTexels + within(x, y)];
+    return texels_[index(tile, x, y)];
   }
   const Texel& texel(const Tile& tile, std::uint32_t x, std::uint32_t y) const {
-    return texels_[std::size_t{tile.slot} * kTileTexels + within(x, y)];
+    return texels_[index(tile, x, y)];
   }
   /// Gives the tile 64 empty texels: a map is cleared as far as it is used.
   void touch(Tile& tile) {
