@@ -24,14 +24,14 @@ struct Outline {
       c[i] = -a[i] * (std::int64_t{p.x} - root.x0) - b[i] * (std::int64_t{p.y} - root.y0);
     }
   }
-  /// 0: apart from the closed square at (x, y), 1: may meet it, 2: covers it.
+  /// 0: apart from the closed square at (x, y), 1: may meet it, 2: covers it, edges clear of it.
   int meets(std::int64_t x, std::int64_t y, std::int64_t side) const {
     bool covers = true;
     for (int i = 0; i < 3; ++i) {
       const std::int64_t corner = a[i] * x + b[i] * y + c[i];
       const std::int64_t da = a[i] * side, db = b[i] * side;
       if (corner + std::max<std::int64_t>(da, 0) + std::max<std::int64_t>(db, 0) < 0) return 0;
-      covers &= corner + std::min<std::int64_t>(da, 0) + std::min<std::int64_t>(db, 0) >= 0;
+      covers &= corner + std::min<std::int64_t>(da, 0) + std::min<std::int64_t>(db, 0) > 0;
     }
     return covers ? 2 : 1;
   }

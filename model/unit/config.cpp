@@ -188,4 +188,13 @@ void set_field(UnitConfig& config, const std::string& key, const std::string& va
   binding.set(config, it - choices.begin());
 }
 
+void check_fields(const UnitConfig& config) {
+  // Steeper planes than 12 bits of radius leave would leave the range that thresholds are kept in.
+  if (config.profile == Profile::kWinding && config.fraction_bits > 12) {
+    throw UserError("fraction_bits",
+                    std::to_string(config.fraction_bits) + " are too many for the winding profile",
+                    "the nearest valid value is 12");
+  }
+}
+
 }  // namespace kagesen

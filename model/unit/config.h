@@ -98,5 +98,7 @@ const std::vector<ConfigField>& config_fields();
 std::string get_field(const UnitConfig& config, const std::string& key);
 /// Sets a field from text. Throws UserError, naming the nearest key or the nearest valid value.
 void set_field(UnitConfig& config, const std::string& key, const std::string& value);
+/// Throws UserError where fields that are each in range do not fit together.
+void check_fields(const UnitConfig& config);
 
 }  // namespace kagesen

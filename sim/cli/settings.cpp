@@ -104,6 +104,7 @@ Settings load_settings(const SettingsOptions& options) {
     }
     settings.given.insert(key);
   }
+  check_fields(settings.config);
   return settings;
 }
 

@@ -262,5 +262,26 @@ TEST(Boundary, TheBandIsAsWideAsItsRadius) {
   }
 }
 
+/// How far one looks does not change what is found: also where an open edge runs along the borders
+/// of the tree's nodes, and the nodes beside it are covered all over.
+TEST(Boundary, AnEdgeOnTheBordersOfNodesIsFoundAtAnyLimit) {
+  constexpr std::int32_t kSide = 1 << 16;
+  std::vector<Caster> casters{{{{0, 0, 100}, {kSide, 0, 100}, {0, kSide, 100}}, 0, 0},
+                              {{{0, -kSide, 900}, {9, -kSide, 900}, {0, 9 - kSide, 900}}, 0, 0}};
+  Generator g(3);
+  for (int i = 0; i < 400; ++i) {  // makes nodes small
+    const LightPoint at = g.point(0, kSide / 2, 500, 900);
+    casters.push_back({{g.near(at, 900, 9), g.near(at, 900, 9), g.near(at, 900, 9)}, 0, 0});
+  }
+  const ExactReference reference(casters);
+  for (std::int32_t x = 100; x < kSide; x += 997) {
+    const LightPoint p{x, -50, 200};
+    for (const double limit : {60.0, 100.0, 500.0, 4000.0, 60'000.0}) {
+      ASSERT_NEAR(reference.boundary_distance(p, 1, Semantics::kPhysical, limit), 50, 1)
+          << x << ", limit " << limit;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace kagesen

@@ -46,6 +46,7 @@ struct Crossing {
 inline Crossing crossing(const Segment& s, const Place& p, int shift) {
   const std::int64_t x0 = std::int64_t{s.x0} << shift, y0 = std::int64_t{s.y0} << shift;
   const std::int64_t x1 = std::int64_t{s.x1} << shift, y1 = std::int64_t{s.y1} << shift;
+  // Half a step, in units; half a unit reaches no farther along an axis than 0 does.
   const std::int64_t reach = shift == 0 ? 0 : std::int64_t{1} << (shift - 1);
   const std::int64_t dx = x1 - x0, dy = y1 - y0;
   const std::int64_t side = dx * (p.y - y0) - dy * (p.x - x0);  // > 0: the point lies left of 0-1
@@ -64,7 +65,7 @@ inline Crossing crossing(const Segment& s, const Place& p, int shift) {
   const std::int64_t low_y = rises ? y0 : y1, high_y = rises ? y1 : y0;
   out.near = low_x - reach <= p.x && p.x <= high_x + reach && low_y - reach <= p.y &&
              p.y <= high_y + reach &&
-             (side < 0 ? -side : side) <= reach * ((dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy));
+             2 * (side < 0 ? -side : side) <= ((dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy)) << shift;
   return out;
 }
 

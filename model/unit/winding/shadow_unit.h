@@ -89,6 +89,7 @@ class ShadowUnit {
   std::uint32_t find(const Visit& visit, std::uint32_t object, std::uint32_t& records);
   std::uint32_t find_in_long_list(const Visit& visit, std::uint32_t object, std::uint32_t& records);
   LongList* long_list(const Visit& visit);
+  std::uint32_t records_of_list(const Visit& visit);
   bool open_list(Texel& texel);
   static void note_cover(Texel& texel, std::int64_t farthest, std::uint32_t object);
   void drop_hidden(Texel& texel);

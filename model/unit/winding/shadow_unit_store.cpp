@@ -59,6 +59,15 @@ ShadowUnit::LongList* ShadowUnit::long_list(const Visit& visit) {
   return found == long_lists_.end() ? nullptr : &found->second;
 }
 
+std::uint32_t ShadowUnit::records_of_list(const Visit& visit) {
+  if (const LongList* list = long_list(visit)) return list->records;
+  std::uint32_t records = 0;
+  for (std::uint32_t at = visit.texel->list; at != SilhouetteBuffer::kNone; at = slb_[at].next) {
+    records += slb_.records_of(slb_[at]);
+  }
+  return records;
+}
+
 /// Makes the cover a cluster of the list. False if there is no room.
 bool ShadowUnit::open_list(Texel& texel) {
   const std::uint32_t at = slb_.insert(texel.list, texel.cover, texel.object);
@@ -110,7 +119,9 @@ void ShadowUnit::add(const Visit& visit, std::uint32_t object, bool corner,
   const std::uint32_t before = slb_.records_of(*cluster);
   const bool stored = slb_.add(*cluster, *segment, cancelled);
   if (LongList* list = long_list(visit)) list->records += slb_.records_of(*cluster) - before;
-  if (!stored || slb_.records_of(*cluster) > static_cast<std::uint32_t>(config_.chain_records)) {
+  const bool grown = slb_.records_of(*cluster) > before;
+  if (!stored ||
+      (grown && records_of_list(visit) > static_cast<std::uint32_t>(config_.chain_records))) {
     return overflow(visit, object);
   }
   ++(cancelled ? counters_.lines_cancelled : counters_.lines_stored);

@@ -19,6 +19,16 @@ std::string message(const std::string& key, const std::string& value) {
   return "accepted";
 }
 
+TEST(Config, TheWindingProfileTakesUpToTwelveFractionBits) {
+  UnitConfig config;
+  config.fraction_bits = 13;
+  EXPECT_NO_THROW(check_fields(config));
+  config.profile = Profile::kWinding;
+  EXPECT_THROW(check_fields(config), UserError);
+  config.fraction_bits = 12;
+  EXPECT_NO_THROW(check_fields(config));
+}
+
 TEST(Config, EveryKeyGoesThereAndBackAndTouchesNoOther) {
   ASSERT_EQ(config_fields().size(), 33u);
   for (const ConfigField& field : config_fields()) {
