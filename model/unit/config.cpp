@@ -69,7 +69,7 @@ const std::vector<Binding>& bindings() {
       choice("semantics", &C::semantics, {"paper", "physical"},
              "Winding: who shadows, any object but the fragment's own or any surface nearer the "
              "light"),
-      integer("end_guard_bits", &C::end_guard_bits, 1, 4,
+      integer("end_guard_bits", &C::end_guard_bits, 2, 4,
               "Winding: bits of a segment's ends beyond fraction_bits"),
       integer("gradient_bits", &C::gradient_bits, 3, 10,
               "Winding: mantissa bits of a plane's gradient"),
