@@ -10,24 +10,22 @@
 
 namespace kagesen {
 
-/// How fast a facet's depth changes as the contract counts it: |dz/dx| + |dz/dy|, depth units a
-/// texel of 2^fraction_bits units.
-///
-/// With r = 2^-config.fraction_bits texel: 0 where the longest edge is at most r / 4, since all of
-/// the facet then has its nearest vertex's depth; that along the longest edge where the height over
-/// it is at most r / 4 (the steepest, of edges equally long). The facet must have an area.
-double contact_gradient(const Caster& facet, const UnitConfig& config, std::uint32_t fraction_bits);
-
 /// The contact distance B of a facet, depth units: what the unit's threshold there may lie behind
-/// the facet's exact depth.
+/// the facet's exact depth. The facet must have an area.
 ///
-/// 2 plane_tolerance (shared planes) + 2 2^plane_step_bits (stored planes) + 4 (snapped ends and
-/// rounding) + 2 r contact_gradient (the reach of a point that moves by r, twice).
+/// 2 plane_tolerance (shared planes) + 2 2^plane_step_bits (stored planes) + 4 (rounding) +
+/// (|dz/dx| + |dz/dy|) (r + 2^-(m + 1)) (reach and place; rounding of the gradient, whose mantissa
+/// has m = gradient_bits, at least fraction_bits - 1, at most 10), r = 2^-config.fraction_bits
+/// texel, a texel =
+/// 2^fraction_bits units. A facet no higher than r / 4 over its longest edge has the gradient along
+/// that edge, and its third vertex's distance in depth from it counts besides; one no longer
+/// than r / 4 has none, and its whole range of depth counts. Of edges equally long the worst.
 double contact_distance(const Caster& facet, const UnitConfig& config, std::uint32_t fraction_bits);
 
 /// Does some caster that may shadow f cover it and lie more than its contact distance nearer the
-/// light? Then no depth excuses the verdict "lit". Exact in the plane; depths in doubles, off by
-/// less than 2^-20.
+/// light? Then no depth excuses the verdict "lit". On a texel's left or lower border the same must
+/// hold one unit inside: what only touches the border is no part of the texel. Exact in the plane;
+/// depths in doubles, off by less than 2^-20.
 bool clear_of_contact(const ExactReference& reference, const std::vector<Caster>& casters,
                       const Fragment& f, Semantics semantics, const UnitConfig& config,
                       std::uint32_t fraction_bits);

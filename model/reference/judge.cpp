@@ -26,10 +26,16 @@ class Judge {
         paper_(paper),
         physical_(physical),
         options_(options),
-        reference_(trace.all_casters) {}
+        exact_(options.exact ? options.exact : std::make_shared<ExactFrame>()) {
+    if (exact_->reference) return;
+    exact_->reference = std::make_unique<ExactReference>(trace.all_casters);
+    exact_verdicts();
+    band();
+  }
 
   Judgement run() {
-    exact_verdicts();
+    out_.exact_paper = exact_->paper;
+    out_.exact_physical = exact_->physical;
     if (config_.profile == Profile::kWinding) {
       winding_causes(Semantics::kPaper, paper_, out_.exact_paper, out_.cause_paper, out_.paper);
       winding_causes(Semantics::kPhysical, physical_, out_.exact_physical, out_.cause_physical,
@@ -37,11 +43,10 @@ class Judge {
     } else {
       paper_causes();
     }
-    band();
     figures(Semantics::kPaper, out_.paper, paper_.verdicts, out_.exact_paper, out_.cause_paper,
-            in_band_paper_);
+            exact_->in_band_paper);
     figures(Semantics::kPhysical, out_.physical, physical_.verdicts, out_.exact_physical,
-            out_.cause_physical, in_band_physical_);
+            out_.cause_physical, exact_->in_band_physical);
     beside_plain_maps();
     return std::move(out_);
   }
@@ -61,22 +66,25 @@ class Judge {
     return x >= 0 && y >= 0 && x < config_.map_width && y < config_.map_height;
   }
 
+  const ExactReference& reference() const { return *exact_->reference; }
+
   void exact_verdicts() {
     const std::size_t count = fragments().size();
-    out_.exact_paper.resize(count);
-    out_.exact_physical.resize(count);
-    judged_.resize(count);
+    ExactFrame& exact = *exact_;
+    exact.paper.resize(count);
+    exact.physical.resize(count);
+    exact.judged.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
       report("exact verdicts", i);
       const Fragment& f = fragments()[i];
-      judged_[i] = (f.flags & (Fragment::kAverted | Fragment::kOutside)) == 0 && on_map(f);
-      if (!judged_[i]) {  // decided by definition
-        out_.exact_paper[i] = out_.exact_physical[i] = (f.flags & Fragment::kAverted) != 0;
+      exact.judged[i] = (f.flags & (Fragment::kAverted | Fragment::kOutside)) == 0 && on_map(f);
+      if (!exact.judged[i]) {  // decided by definition
+        exact.paper[i] = exact.physical[i] = (f.flags & Fragment::kAverted) != 0;
         continue;
       }
       // What the paper calls dark is dark physically too.
-      out_.exact_paper[i] = reference_.dark(f, Semantics::kPaper);
-      out_.exact_physical[i] = out_.exact_paper[i] || reference_.dark(f, Semantics::kPhysical);
+      exact.paper[i] = reference().dark(f, Semantics::kPaper);
+      exact.physical[i] = exact.paper[i] || reference().dark(f, Semantics::kPhysical);
     }
   }
 
@@ -84,12 +92,12 @@ class Judge {
 
   void paper_causes() {
     const MapContents contents = paper_.engine.contents();
-    const CauseFinder finder(trace_, config_, setup_, contents, reference_);
+    const CauseFinder finder(trace_, config_, setup_, contents, reference());
     out_.cause_paper.assign(fragments().size(), Cause::kNone);
     out_.cause_physical.assign(fragments().size(), Cause::kNone);
     for (std::size_t i = 0; i < fragments().size(); ++i) {
       report("causes", i);
-      if (!judged_[i]) continue;
+      if (!exact_->judged[i]) continue;
       const bool paper_wrong = dark(paper_, i) != (out_.exact_paper[i] != 0);
       const bool physical_wrong = dark(physical_, i) != (out_.exact_physical[i] != 0);
       if (paper_wrong) out_.cause_paper[i] = finder.find(fragments()[i], out_.exact_paper[i] != 0);
@@ -103,11 +111,11 @@ class Judge {
                       const std::vector<std::uint8_t>& exact, std::vector<Cause>& causes,
                       ErrorFigures& e) {
     const MapContents contents = run.engine.contents();
-    const WindingCauseFinder finder(trace_, config_, setup_, contents, reference_, semantics);
+    const WindingCauseFinder finder(trace_, config_, setup_, contents, reference(), semantics);
     causes.assign(fragments().size(), Cause::kNone);
     for (std::size_t i = 0; i < fragments().size(); ++i) {
       report("causes", i);
-      if (!judged_[i] || dark(run, i) == (exact[i] != 0)) continue;
+      if (!exact_->judged[i] || dark(run, i) == (exact[i] != 0)) continue;
       const WindingFault fault = finder.find(fragments()[i], exact[i] != 0);
       causes[i] = fault.cause;
       e.beyond_bound += fault.breaks_contract;
@@ -116,14 +124,17 @@ class Judge {
 
   void band() {
     const double texel = std::ldexp(1.0, static_cast<int>(setup_.fraction_bits));
-    in_band_paper_.resize(fragments().size());
-    in_band_physical_.resize(fragments().size());
+    exact_->in_band_paper.resize(fragments().size());
+    exact_->in_band_physical.resize(fragments().size());
     for (std::size_t i = 0; i < fragments().size(); ++i) {
       report("band", i);
-      if (!judged_[i]) continue;
+      if (!exact_->judged[i]) continue;
       const Fragment& f = fragments()[i];
-      in_band_paper_[i] = reference_.in_band(f.position, f.object, Semantics::kPaper, texel);
-      in_band_physical_[i] = reference_.in_band(f.position, f.object, Semantics::kPhysical, texel);
+      const auto in_band = [&](Semantics semantics) {
+        return reference().in_band(f.position, f.object, semantics, texel);
+      };
+      exact_->in_band_paper[i] = in_band(Semantics::kPaper);
+      exact_->in_band_physical[i] = in_band(Semantics::kPhysical);
     }
   }
 
@@ -132,7 +143,7 @@ class Judge {
                const std::vector<std::uint8_t>& in_band) {
     std::vector<std::size_t> wrong;
     for (std::size_t i = 0; i < fragments().size(); ++i) {
-      if (!judged_[i]) continue;
+      if (!exact_->judged[i]) continue;
       ++e.judged;
       e.band += in_band[i];
       const bool dark = verdicts[i] == Verdict::kDark;
@@ -153,10 +164,10 @@ class Judge {
         std::ldexp(1.0, static_cast<int>(setup_.fraction_bits - config_.fraction_bits));
     for (const std::size_t i : wrong) {
       const Fragment& f = fragments()[i];
-      if (reference_.boundary_distance(f.position, f.object, semantics, bound + 1) <= bound)
+      if (reference().boundary_distance(f.position, f.object, semantics, bound + 1) <= bound)
         continue;
       e.beyond_bound +=
-          reference_.contact_distance(f.position, f.object, semantics) > kContactDepthUnits;
+          reference().contact_distance(f.position, f.object, semantics) > kContactDepthUnits;
     }
   }
 
@@ -169,7 +180,7 @@ class Judge {
     for (std::size_t n = 0; n < wrong.size(); n += stride) {
       const Fragment& f = fragments()[wrong[n]];
       distances.push_back(
-          reference_.boundary_distance(f.position, f.object, semantics, kSearchTexels * texel) /
+          reference().boundary_distance(f.position, f.object, semantics, kSearchTexels * texel) /
           texel);
     }
     std::sort(distances.begin(), distances.end());
@@ -181,25 +192,32 @@ class Judge {
     e.displacement_capped = distances.back() >= kSearchTexels;
   }
 
-  void beside_plain_maps() {
-    const Semantics semantics = main_semantics(config_);
+  PlainComparison comparison(Semantics semantics) const {
     const bool paper = semantics == Semantics::kPaper;
-    const UnitRun& run = paper ? paper_ : physical_;
-    const PlainComparison frame{trace_,
-                                config_,
-                                setup_,
-                                reference_,
-                                semantics,
-                                run.verdicts,
-                                paper ? out_.exact_paper : out_.exact_physical,
-                                judged_,
-                                paper ? in_band_paper_ : in_band_physical_};
-    const UnitCounters c = run.engine.counters();
+    return {trace_,
+            config_,
+            setup_,
+            reference(),
+            semantics,
+            (paper ? paper_ : physical_).verdicts,
+            paper ? out_.exact_paper : out_.exact_physical,
+            exact_->judged,
+            paper ? exact_->in_band_paper : exact_->in_band_physical};
+  }
+
+  void beside_plain_maps() {
+    const bool paper = main_semantics(config_) == Semantics::kPaper;
+    const PlainComparison frame = comparison(main_semantics(config_));
+    const UnitCounters c = (paper ? paper_ : physical_).engine.counters();
     out_.plain_same_side = plain_map_figures(frame, 1);
     out_.plain_equal_bytes =
         plain_map_figures(frame, grow_to_bytes(config_, c.map_bytes + c.allocated_bytes));
     if (options_.equivalent_resolution)
       out_.equivalent_resolution = equivalent_resolution(frame, options_);
+    if (options_.other_equivalent_resolution) {
+      const Semantics other = paper ? Semantics::kPhysical : Semantics::kPaper;
+      out_.other_equivalent_resolution = equivalent_resolution(comparison(other), options_);
+    }
   }
 
   const Trace& trace_;
@@ -208,8 +226,7 @@ class Judge {
   const UnitRun& paper_;
   const UnitRun& physical_;
   const JudgeOptions& options_;
-  const ExactReference reference_;
-  std::vector<std::uint8_t> judged_, in_band_paper_, in_band_physical_;
+  const std::shared_ptr<ExactFrame> exact_;
   Judgement out_;
 };
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -71,8 +72,9 @@ struct Judgement {
   std::vector<std::uint8_t> exact_paper, exact_physical;  ///< a fragment each, 1 = dark
   std::vector<Cause> cause_paper, cause_physical;         ///< a fragment each
   ErrorFigures paper, physical;
-  EquivalentResolution equivalent_resolution;       ///< main_semantics()
-  PlainFigures plain_same_side, plain_equal_bytes;  ///< main_semantics()
+  EquivalentResolution equivalent_resolution;        ///< main_semantics()
+  EquivalentResolution other_equivalent_resolution;  ///< of the other semantics, where asked for
+  PlainFigures plain_same_side, plain_equal_bytes;   ///< main_semantics()
 
   const ErrorFigures& figures_in(Semantics semantics) const {
     return semantics == Semantics::kPaper ? paper : physical;
@@ -82,9 +84,20 @@ struct Judgement {
   }
 };
 
+/// What is exact about a frame whatever the unit's verdicts are. The first judgement that is given
+/// it fills it; later ones, of the same trace and the same map, find it done.
+struct ExactFrame {
+  std::unique_ptr<const ExactReference> reference;  ///< null until filled; refers to the casters
+  std::vector<std::uint8_t> paper, physical;        ///< a fragment each, 1 = dark
+  std::vector<std::uint8_t> judged;                 ///< 1 = neither averted nor off the map
+  std::vector<std::uint8_t> in_band_paper, in_band_physical;  ///< 1 = within a texel of an edge
+};
+
 struct JudgeOptions {
   std::uint64_t largest_plain_side = 1u << 18;
   bool equivalent_resolution = true;
+  bool other_equivalent_resolution = false;  ///< in the other semantics too
+  std::shared_ptr<ExactFrame> exact;         ///< may be empty
   std::function<void(const std::string& stage, double done)> progress;  ///< may be empty
 };
 

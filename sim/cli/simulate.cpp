@@ -129,6 +129,8 @@ RunResult simulate(const Trace& trace, const UnitConfig& config, const SimulateO
   if (options.reference) {
     JudgeOptions judging;
     judging.equivalent_resolution = options.equivalent_resolution;
+    judging.other_equivalent_resolution = options.other_equivalent_resolution;
+    judging.exact = options.exact;
     judging.progress = options.progress;
     const auto run_in = [&](Semantics semantics) -> UnitRun {
       const bool main = !winding || semantics == config.semantics;

@@ -18,6 +18,8 @@ struct SimulateOptions {
   bool reference = true;
   bool both_semantics = false;  ///< winding: verdicts in the other semantics even without reference
   bool equivalent_resolution = true;
+  bool other_equivalent_resolution = false;  ///< in the other semantics too
+  std::shared_ptr<ExactFrame> exact;         ///< for several runs over one trace; may be empty
   std::function<void(const std::string& stage, double done)> progress;  ///< may be empty
 };
 

@@ -18,4 +18,13 @@ std::string bytes_text(std::uint64_t bytes);
 /// 1 in 20 is meant, "37.5 %".
 std::string one_in(std::uint64_t part, std::uint64_t whole);
 
+/// How much of one kind of work the winding profile did not do.
+struct SkipShare {
+  const char* skip;            ///< "receiver mask", "tiles", ...
+  std::uint64_t skipped, all;  ///< of `all`, so many were not done
+  const char* unit;            ///< what is counted, in the singular: "texel visit"
+};
+/// @param map_texels  of the whole map
+std::vector<SkipShare> skip_shares(const UnitCounters& counters, std::uint64_t map_texels);
+
 }  // namespace kagesen

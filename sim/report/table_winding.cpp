@@ -27,23 +27,26 @@ void contract_rows(Rows& rows, const RunResult& result) {
   if (room > 0) rows.add("", fmt::format("{} of them in texels that overflowed", grouped(room)));
 }
 
-void skip_rows(Rows& rows, const RunResult& result) {
-  const UnitCounters& c = result.counters;
+std::vector<SkipShare> skip_shares(const UnitCounters& c, std::uint64_t map_texels) {
   const SkipCounters& s = c.skips;
-  const auto row = [&](const std::string& label, std::uint64_t part, std::uint64_t whole,
-                       const std::string& of) {
-    rows.add(label, fmt::format("{:>8}  {} of {}", percent(part, whole), grouped(part),
-                                counted(whole, of)));
+  return {
+      {"receiver mask", s.masked_visits, s.texel_visits, "texel visit"},
+      {"hidden", s.hidden_visits, s.texel_visits, "texel visit"},
+      {"edges", s.inner_edge_texels, s.inner_edge_texels + c.edge_texels, "edge texel"},
+      {"clearing", map_texels - s.cleared_texels, map_texels, "texel"},
+      {"fragments", s.known_fragments, c.fragments, "fragment"},
+      {"tiles", s.tile_lit + s.tile_dark, c.fragments - s.known_fragments, "fragment"},
+      {"first test", s.first_test_dark, s.texel_lookups, "lookup"},
   };
-  const std::uint64_t texels = std::uint64_t{result.contents.width} * result.contents.height;
+}
+
+void skip_rows(Rows& rows, const RunResult& result) {
   rows.heading("Skipped");
-  row("receiver mask", s.masked_visits, s.texel_visits, "texel visit");
-  row("hidden", s.hidden_visits, s.texel_visits, "texel visit");
-  row("edges", s.inner_edge_texels, s.inner_edge_texels + c.edge_texels, "edge texel");
-  row("clearing", texels - s.cleared_texels, texels, "texel");
-  row("fragments", s.known_fragments, c.fragments, "fragment");
-  row("tiles", s.tile_lit + s.tile_dark, c.fragments - s.known_fragments, "fragment");
-  row("first test", s.first_test_dark, s.texel_lookups, "lookup");
+  const std::uint64_t texels = std::uint64_t{result.contents.width} * result.contents.height;
+  for (const SkipShare& s : skip_shares(result.counters, texels)) {
+    rows.add(s.skip, fmt::format("{:>8}  {} of {}", percent(s.skipped, s.all), grouped(s.skipped),
+                                 counted(s.all, s.unit)));
+  }
 }
 
 }  // namespace kagesen

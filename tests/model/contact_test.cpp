@@ -22,7 +22,6 @@ UnitConfig defaults() {
   return config;
 }
 
-double gradient(const Caster& c) { return contact_gradient(c, defaults(), kBits); }
 double distance(const Caster& c) { return contact_distance(c, defaults(), kBits); }
 
 Caster level(std::uint32_t z, std::uint32_t object) {
@@ -49,35 +48,43 @@ bool clear(const std::vector<Caster>& casters, const Fragment& f, Semantics sema
 
 TEST(Contact, GradientIsATexel) {
   const Caster c{{{0, 0, 5000}, {4 * kT, 0, 5400}, {0, 2 * kT, 4920}}, 0, 0};  // +100, -40
-  EXPECT_DOUBLE_EQ(gradient(c), 140);
   EXPECT_DOUBLE_EQ(distance(c), kLevel + 2 * 140.0 / 256);
   UnitConfig wide = defaults();
   wide.plane_tolerance = 0;
   wide.plane_step_bits = 10;
   wide.fraction_bits = 4;
-  EXPECT_DOUBLE_EQ(contact_distance(c, wide, kBits), 2 * 1024 + 4 + 2 * 140.0 / 16);
+  EXPECT_DOUBLE_EQ(contact_distance(c, wide, kBits), 2 * 1024 + 4 + 140.0 * (1 / 16.0 + 1 / 256.0));
 }
 
-TEST(Contact, ATinyFacetIsLevel) {
+TEST(Contact, OfATinyFacetItsRangeCounts) {
   const Caster tiny{{{0, 0, 5000}, {64, 0, 9000}, {30, 30, 100}}, 0, 0};
-  EXPECT_EQ(gradient(tiny), 0);
+  EXPECT_EQ(distance(tiny), kLevel + 8900);
   const Caster larger{{{0, 0, 5000}, {65, 0, 9000}, {30, 65, 100}}, 0, 0};
-  EXPECT_GT(gradient(larger), 4'000'000);
+  EXPECT_GT(distance(larger), kLevel + 30'000);
 }
 
-// Its longest edge rises by 8 a texel; across, by 900 in 64 units.
-TEST(Contact, ASliverChangesAlongItsLongestEdge) {
+// Its longest edge rises by 8 a texel; a quarter along it the third vertex is off by 900.
+TEST(Contact, OfASliverItsLongestEdgeAndThirdVertexCount) {
   const Caster sliver{{{0, 0, 1000}, {4 * kT, 0, 1032}, {kT, 64, 1908}}, 0, 0};
-  EXPECT_DOUBLE_EQ(gradient(sliver), 8);
+  EXPECT_DOUBLE_EQ(distance(sliver), kLevel + 900 + 2 * 8.0 / 256);
   const Caster wider{{{0, 0, 1000}, {4 * kT, 0, 1032}, {kT, 65, 1908}}, 0, 0};
-  EXPECT_GT(gradient(wider), 900'000);
+  EXPECT_GT(distance(wider), kLevel + 7000);
 }
 
-TEST(Contact, OfEdgesEquallyLongTheSteeperCounts) {
+TEST(Contact, OfEdgesEquallyLongTheWorseCounts) {
   Caster sliver{{{0, 0, 1000}, {4 * kT, 30, 1032}, {4 * kT, -30, 936}}, 0, 0};
-  EXPECT_NEAR(gradient(sliver), 16, 0.01);
+  EXPECT_NEAR(distance(sliver), kLevel + 96 + 2 * 16.0 / 256, 0.01);
   std::swap(sliver.vertex[1], sliver.vertex[2]);
-  EXPECT_NEAR(gradient(sliver), 16, 0.01);
+  EXPECT_NEAR(distance(sliver), kLevel + 96 + 2 * 16.0 / 256, 0.01);
+}
+
+// A surface that ends on the texel's left border covers the point on it, but is not in the texel.
+TEST(Contact, OnABorderItMustBeClearWithinTheTexel) {
+  const Caster left{{{-10 * kT, -10 * kT, 1000}, {0, -10 * kT, 1000}, {0, 10 * kT, 1000}}, 0, 0};
+  EXPECT_FALSE(clear({left}, at_origin(5000, 1), Semantics::kPaper));
+  Fragment inside = at_origin(5000, 1);
+  inside.position.x = -1;
+  EXPECT_TRUE(clear({left}, inside, Semantics::kPaper));
 }
 
 RC_GTEST_PROP(Contact, HoldsForAnyOrderAndMirroring, ()) {
@@ -92,8 +99,8 @@ RC_GTEST_PROP(Contact, HoldsForAnyOrderAndMirroring, ()) {
           (std::int64_t{c.vertex[2].y} - c.vertex[0].y) -
       (std::int64_t{c.vertex[1].y} - c.vertex[0].y) * (std::int64_t{c.vertex[2].x} - c.vertex[0].x);
   RC_PRE(area != 0);
-  const double expected = gradient(c);
-  const auto expect_same = [&] { RC_ASSERT(std::abs(gradient(c) - expected) <= 1e-9 * expected); };
+  const double expected = distance(c);
+  const auto expect_same = [&] { RC_ASSERT(std::abs(distance(c) - expected) <= 1e-9 * expected); };
   std::swap(c.vertex[0], c.vertex[1]);
   expect_same();
   std::rotate(c.vertex, c.vertex + 1, c.vertex + 3);

@@ -13,9 +13,9 @@ namespace {
 constexpr std::int32_t kT = 1 << 16;  // units a texel
 constexpr Verdict kLit = Verdict::kLit, kDark = Verdict::kDark;
 
-/// Level, of object 0, everything left of x = 1 texel; its contact distance is 68.
-Caster level(std::uint32_t z) {
-  return {{{kT, -100 * kT, z}, {kT, 100 * kT, z}, {-200 * kT, 0, z}}, 0, 0};
+/// Level, of object 0, everything left of x = `right`; its contact distance is 68.
+Caster level(std::uint32_t z, std::int32_t right = kT) {
+  return {{{right, -100 * kT, z}, {right, 100 * kT, z}, {-200 * kT, 0, z}}, 0, 0};
 }
 
 Fragment fragment(std::int32_t x, std::uint32_t z, std::uint32_t object) {
@@ -41,9 +41,9 @@ struct Frame {
     paper_verdicts.assign(trace.all_fragments.size(), verdict);
     physical_verdicts = paper_verdicts;
   }
-  Judgement judged() const {
+  Judgement judged(const JudgeOptions& options = {}) const {
     return judge(trace, config, FrameSetup{}, {paper, paper_verdicts},
-                 {physical, physical_verdicts});
+                 {physical, physical_verdicts}, options);
   }
   /// The one fragment is wrong in both runs.
   void expect(Cause cause, std::uint64_t beyond) const {
@@ -135,6 +135,65 @@ TEST(WindingJudge, PlainMapsHaveTheRunsSemanticsAndABiasThatFits) {
   frame.config.semantics = Semantics::kPaper;
   EXPECT_EQ(frame.judged().plain_same_side.bias, 0u);
   EXPECT_EQ(frame.judged().plain_same_side.wrong, 0u);
+}
+
+/// Fragments of either object round the caster's right side; those of object 0 shadow themselves.
+/// In paper semantics three are wrong, in physical semantics eight.
+Frame along_an_edge() {
+  constexpr std::int32_t kEdge = kT + kT / 3, kApart = 1500;
+  std::vector<Fragment> fragments;
+  for (std::int32_t i = -40; i < 40; ++i) {
+    fragments.push_back(fragment(kEdge + i * kApart + 7, 900, static_cast<std::uint32_t>(i) & 1));
+  }
+  Frame frame({level(100, kEdge)}, fragments, kLit);
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    const std::int32_t x = fragments[i].position.x - kEdge;
+    if (x < 6 * kApart && fragments[i].object == 1) frame.paper_verdicts[i] = kDark;
+    if (x < 8 * kApart) frame.physical_verdicts[i] = kDark;
+  }
+  return frame;
+}
+
+TEST(WindingJudge, TheOtherSemanticsHasItsOwnEquivalentSide) {
+  Frame frame = along_an_edge();
+  JudgeOptions both;
+  both.other_equivalent_resolution = true;
+  const Judgement physical = frame.judged(both);
+  EXPECT_EQ(physical.paper.band_wrong, 3u);
+  EXPECT_EQ(physical.physical.band_wrong, 8u);
+  frame.config.semantics = Semantics::kPaper;
+  const Judgement paper = frame.judged(both);
+  EXPECT_NE(physical.equivalent_resolution.side, physical.other_equivalent_resolution.side);
+  EXPECT_EQ(physical.equivalent_resolution.side, paper.other_equivalent_resolution.side);
+  EXPECT_EQ(paper.equivalent_resolution.side, physical.other_equivalent_resolution.side);
+  EXPECT_EQ(frame.judged().other_equivalent_resolution.side, 0u);
+}
+
+// What one judgement found exact serves the next, of other verdicts and another profile.
+TEST(WindingJudge, AnExactFrameIsSharedWithoutADifference) {
+  Frame frame = along_an_edge();
+  JudgeOptions sharing;
+  sharing.exact = std::make_shared<ExactFrame>();
+  frame.judged(sharing);
+  const ExactReference* reference = sharing.exact->reference.get();
+  std::swap(frame.paper_verdicts, frame.physical_verdicts);
+  for (const Profile profile : {Profile::kWinding, Profile::kPaper}) {
+    frame.config.profile = profile;
+    const Judgement alone = frame.judged(), shared = frame.judged(sharing);
+    EXPECT_EQ(sharing.exact->reference.get(), reference);
+    EXPECT_EQ(shared.exact_paper, alone.exact_paper);
+    EXPECT_EQ(shared.exact_physical, alone.exact_physical);
+    for (const Semantics semantics : {Semantics::kPaper, Semantics::kPhysical}) {
+      const ErrorFigures &a = alone.figures_in(semantics), &b = shared.figures_in(semantics);
+      EXPECT_GT(b.wrong, 0u);
+      EXPECT_EQ(b.wrong, a.wrong);
+      EXPECT_EQ(b.band, a.band);
+      EXPECT_EQ(b.band_wrong, a.band_wrong);
+      EXPECT_EQ(b.beyond_bound, a.beyond_bound);
+      EXPECT_EQ(b.causes, a.causes);
+    }
+    EXPECT_EQ(shared.equivalent_resolution.side, alone.equivalent_resolution.side);
+  }
 }
 
 RC_GTEST_PROP(WindingJudge, NoOtherBiasIsBetter, ()) {

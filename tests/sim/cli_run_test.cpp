@@ -263,18 +263,5 @@ TEST_F(CliRun, HelpVersionScenes) {
   EXPECT_EQ(run({"scenes"}).out.rfind("solids", 0), 0u);
 }
 
-TEST_F(CliRun, ResultsPage) {
-  const Outcome outcome =
-      run({"results", "--quick", "--scenes", "solids,torus", "--out", "d/results.md"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const std::string page = read_file(path("d/results.md"));
-  for (const char* words : {"Table 8", "3,272", "235.3", "## solids", "## torus",
-                            "(images/torus.png)", "quantisation"}) {
-    EXPECT_NE(page.find(words), std::string::npos) << words;
-  }
-  EXPECT_GT(std::filesystem::file_size(path("d/images/solids.png")), 0u);
-  EXPECT_LT(std::filesystem::file_size(path("d/images/torus.png")), 100u * 1024);
-}
-
 }  // namespace
 }  // namespace kagesen

@@ -5,17 +5,6 @@
 #include "model/reference/contact.h"
 
 namespace kagesen::stress {
-namespace {
-
-/// A texel owns its left and lower border, but not what only touches them from beyond.
-Fragment inside_texel(Fragment f, std::uint32_t fraction_bits) {
-  const std::int32_t mask = (1 << fraction_bits) - 1;
-  f.position.x += (f.position.x & mask) == 0;
-  f.position.y += (f.position.y & mask) == 0;
-  return f;
-}
-
-}  // namespace
 
 bool breaks_contract(const Trace& trace, const UnitConfig& config, const ExactReference& reference,
                      const Fragment& fragment, bool said_dark) {
@@ -25,10 +14,8 @@ bool breaks_contract(const Trace& trace, const UnitConfig& config, const ExactRe
   const double distance =
       reference.boundary_distance(fragment.position, fragment.object, config.semantics, radius + 1);
   if (distance <= radius) return false;
-  const auto clear = [&](const Fragment& f) {
-    return clear_of_contact(reference, trace.all_casters, f, config.semantics, config, bits);
-  };
-  return said_dark || (clear(fragment) && clear(inside_texel(fragment, bits)));
+  return said_dark ||
+         clear_of_contact(reference, trace.all_casters, fragment, config.semantics, config, bits);
 }
 
 bool on_map(const Trace& trace, const Fragment& fragment) {

@@ -8,8 +8,7 @@ namespace kagesen::stress {
 
 /// Does this wrong verdict break the contract: farther than 2^-fraction_bits texel from an exact
 /// shadow boundary and, where it says lit, clear of contact? A wrong "dark" is never excused by
-/// contact. A fragment on a texel's left or lower border must be clear one unit inside it, too: a
-/// facet that ends on the border is no part of the texel.
+/// contact.
 bool breaks_contract(const Trace& trace, const UnitConfig& config, const ExactReference& reference,
                      const Fragment& fragment, bool said_dark);
 

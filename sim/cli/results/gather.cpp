@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 
 #include "model/rivals/plain_map.h"
@@ -30,6 +31,7 @@ Measurement measure(const RunResult& result, unsigned scale, unsigned bits) {
   m.lines = result.counters.slb_lines;
   m.payload_bytes = result.counters.payload_bytes;
   m.allocated_bytes = result.counters.allocated_bytes;
+  m.map_bytes = result.counters.map_bytes;
   m.overflow_lines = result.counters.overflow_lines;
   m.paper = result.judgement->paper;
   m.physical = result.judgement->physical;
@@ -53,42 +55,78 @@ std::vector<Verdict> plain_verdicts(const Trace& trace) {
   return verdicts;
 }
 
-SceneResults gather_scene(const std::string& name, const ResultsOptions& options) {
-  const Scene scene = make_builtin(name);
-  SceneResults results;
-  results.name = name;
-  for (const SceneInfo& info : builtin_scenes()) {
-    if (info.name == name) results.description = info.description;
-  }
-  results.triangles = scene.triangle_count();
-  results.objects = scene.objects.size();
-
-  Sheet sheet(options.scales);
-  for (const unsigned scale : options.scales) {
-    CaptureOptions capturing;
-    capturing.image_width = options.image_width;
-    capturing.image_height = options.image_height;
-    capturing.scale_x = capturing.scale_y = scale;
-    Trace trace;
-    capture(scene, capturing, trace);
-    for (const unsigned bits : {8u, 4u}) {
-      SimulateOptions simulating;
-      const std::string where = fmt::format("{}, scale {}, {} bits: ", name, scale, bits);
-      if (options.progress) {
-        simulating.progress = [&](const std::string& stage, double done) {
-          options.progress(where + stage, done);
-        };
-      }
-      const RunResult result = simulate(trace, unit_with(bits), simulating);
-      results.runs.push_back(measure(result, scale, bits));
-      if (sheet.empty()) sheet.choose_window(trace, result.judgement->exact_paper);
-      sheet.add(trace, result.verdicts, scale, bits == 8 ? Sheet::k8Bits : Sheet::k4Bits);
+/// Takes one scene through all that the page tells of it.
+class SceneGathering {
+ public:
+  SceneGathering(const std::string& name, const ResultsOptions& options)
+      : options_(options), scene_(make_builtin(name)), sheet_(options.scales) {
+    results_.name = name;
+    for (const SceneInfo& info : builtin_scenes()) {
+      if (info.name == name) results_.description = info.description;
     }
-    sheet.add(trace, plain_verdicts(trace), scale, Sheet::kPlain);
+    results_.triangles = scene_.triangle_count();
+    results_.objects = scene_.objects.size();
   }
-  results.sheet = sheet.picture();
-  return results;
-}
+
+  SceneResults run() {
+    for (const unsigned scale : options_.scales) {
+      Trace trace;
+      capture(scene_, capturing(scale), trace);
+      const auto exact = std::make_shared<ExactFrame>();
+      for (const unsigned bits : {8u, 4u}) paper_profile(trace, scale, bits, exact);
+      sheet_.add(trace, plain_verdicts(trace), scale, Sheet::kPlain);
+      winding_profile(trace, scale, exact);
+    }
+    results_.sheet = sheet_.picture();
+    return std::move(results_);
+  }
+
+ private:
+  CaptureOptions capturing(unsigned scale) const {
+    CaptureOptions capturing;
+    capturing.image_width = options_.image_width;
+    capturing.image_height = options_.image_height;
+    capturing.scale_x = capturing.scale_y = scale;
+    return capturing;
+  }
+
+  Report report_of(const std::string& part) const {
+    if (!options_.progress) return {};
+    const std::string where = fmt::format("{}, {}: ", results_.name, part);
+    return [this, where](const std::string& stage, double done) {
+      options_.progress(where + stage, done);
+    };
+  }
+
+  void paper_profile(const Trace& trace, unsigned scale, unsigned bits,
+                     const std::shared_ptr<ExactFrame>& exact) {
+    SimulateOptions simulating;
+    simulating.exact = exact;
+    simulating.progress = report_of(fmt::format("scale {}, {} bits", scale, bits));
+    const RunResult result = simulate(trace, unit_with(bits), simulating);
+    results_.runs.push_back(measure(result, scale, bits));
+    if (sheet_.empty()) sheet_.choose_window(trace, result.judgement->exact_paper);
+    sheet_.add(trace, result.verdicts, scale, bits == 8 ? Sheet::k8Bits : Sheet::k4Bits);
+  }
+
+  void winding_profile(const Trace& trace, unsigned scale,
+                       const std::shared_ptr<ExactFrame>& exact) {
+    const Report report = report_of(fmt::format("scale {}, winding", scale));
+    WindingResults& winding = results_.winding;
+    winding.accuracy.push_back(winding_accuracy(trace, scale, exact, report));
+    if (scale == 1 || scale == 16) {
+      winding.memory.push_back(winding_memory(trace, scale, report));
+    }
+    if (scale != 1) return;
+    winding.skips = winding_skips(trace, report);
+    winding.first_test = first_tests(scene_, capturing(scale), report);
+  }
+
+  const ResultsOptions& options_;
+  const Scene scene_;
+  SceneResults results_;
+  Sheet sheet_;
+};
 
 }  // namespace
 
@@ -102,7 +140,8 @@ const Measurement& SceneResults::at(unsigned scale, unsigned bits) const {
 
 std::vector<SceneResults> gather_results(const ResultsOptions& options) {
   std::vector<SceneResults> results;
-  for (const std::string& name : options.scenes) results.push_back(gather_scene(name, options));
+  for (const std::string& name : options.scenes)
+    results.push_back(SceneGathering(name, options).run());
   return results;
 }
 

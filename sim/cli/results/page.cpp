@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/cli/results/winding_page.h"
 #include "sim/report/table.h"
 
 namespace kagesen {
@@ -66,13 +67,15 @@ double payload_kb(std::uint64_t texels, std::uint64_t lines) {
 }
 
 std::string results_page(const std::vector<SceneResults>& results, const ResultsOptions& options,
-                         const std::string& images) {
+                         const std::string& images, const std::string& stress) {
   std::string text = fmt::format(
-      "# The paper, reproduced\n\n"
-      "Made by `./kagesen results`; every figure is a count on a fixed input, so every machine "
-      "gets "
-      "the same page. Frames of {} x {} pixels, a map of 1024 x 1024 texels, the paper profile "
-      "with its defaults (`./kagesen config`) and Fraction and Slope of 8 or 4 bits.\n\n"
+      "# Results\n\n"
+      "First the paper, reproduced; then our winding profile beside it; then every scene by "
+      "itself.\n\n"
+      "Made by `./kagesen results`; every figure but the run times is a count on a fixed input, so "
+      "every machine gets the same. Frames of {} x {} pixels, a map of 1024 x 1024 texels, each "
+      "profile with its defaults (`./kagesen config`); unless the winding profile is named, what "
+      "is measured is the paper profile with Fraction and Slope of 8 or 4 bits.\n\n"
       "*Scale* is the paper's virtual projection space: at 16 x 16 the same map covers 16 times "
       "more an axis, and what the camera sees stays the same. *Wrong* counts fragments whose "
       "verdict differs from the exact one in the paper's semantics (an object never shadows "
@@ -85,6 +88,8 @@ std::string results_page(const std::vector<SceneResults>& results, const Results
       options.image_width, options.image_height);
   text += paper_section(results);
   text += findings_section(results, options.scales);
+  text += winding_section(results);
+  text += stress;
   for (const SceneResults& scene : results) {
     text += fmt::format("\n## {}\n\n{}. {} triangles in {} objects, {} fragments.\n", scene.name,
                         scene.description, grouped(scene.triangles), grouped(scene.objects),

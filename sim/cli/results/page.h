@@ -1,6 +1,6 @@
 #pragma once
-/// docs/results.md, made of measurements alone: no times, so that every machine writes the same
-/// page.
+/// docs/results.md, made of measurements alone. Only its run times, which are named as such, differ
+/// from machine to machine.
 #include <string>
 #include <vector>
 
@@ -9,8 +9,9 @@
 namespace kagesen {
 
 /// @param images  folder of the pictures, relative to the page
+/// @param stress  a section that is ready; may be empty
 std::string results_page(const std::vector<SceneResults>& results, const ResultsOptions& options,
-                         const std::string& images);
+                         const std::string& images, const std::string& stress);
 
 /// The paper's Table 8 beside what this unit needs for scenes of the same kind.
 std::string paper_section(const std::vector<SceneResults>& results);
