@@ -10,6 +10,8 @@ void add_config(CLI::App& app);
 void add_trace(CLI::App& app);
 void add_gbuffer(CLI::App& app);
 void add_results(CLI::App& app);
+void add_stress(CLI::App& app);
+void add_numerics(CLI::App& app);
 void add_curve(CLI::App& app);
 
 }  // namespace kagesen

@@ -75,9 +75,13 @@ int run_program(int argc, char** argv) {
   add_trace(app);
   add_gbuffer(app);
   add_results(app);
+  add_stress(app);
+  add_numerics(app);
   add_curve(app);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RuntimeError& error) {  // all is said; only the status is left
+    return error.get_exit_code();
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);
     throw parse_failure(app, error);

@@ -254,7 +254,7 @@ TEST_F(CliRun, ConfigurationRoundTrip) {
 
 TEST_F(CliRun, HelpVersionScenes) {
   EXPECT_EQ(run({"--version"}).out.rfind("kagesen ", 0), 0u);
-  for (const char* command : {"run", "scenes", "config", "trace", "gbuffer", "results"}) {
+  for (const char* command : {"run", "scenes", "config", "trace", "gbuffer", "results", "stress", "numerics"}) {
     const Outcome help = run({command, "--help"});
     EXPECT_EQ(help.status, 0);
     EXPECT_NE(help.out.find(command), std::string::npos);
