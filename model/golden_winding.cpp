@@ -25,7 +25,7 @@ struct StoredBits {
     const int link = bits_for(static_cast<std::uint64_t>(c.cluster_records) + 1);
     const int plane = w.base_bits() + 2 * w.gradient_code_bits();
     const auto per_record = static_cast<std::uint64_t>(c.segments_per_record);
-    segment = 4 * (w.end_bits + 1) + 2;
+    segment = 4 * (w.end_bits + 1) + 2 + (c.skip_edges ? 0 : 1);  // inner
     cluster = plane + id + static_cast<int>(c.corner_bits) + 1;
     record = cluster + static_cast<int>(per_record) * segment + bits_for(per_record + 1) + 1 + link;
     texel = 2 + id + std::max(plane, kDepthBits + link);

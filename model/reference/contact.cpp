@@ -67,6 +67,23 @@ Shape shape_of(const Caster& facet, int radius_bits) {
   return most;
 }
 
+/// Inside or on the outline; where p lies on its texel's left or lower border, seen from within the
+/// texel: what only touches the border there is no part of the texel.
+bool covers_within_texel(const Caster& caster, const LightPoint& p, std::uint32_t fraction_bits) {
+  const std::int32_t mask = (1 << fraction_bits) - 1;
+  const bool on_left = (p.x & mask) == 0, on_lower = (p.y & mask) == 0;
+  const std::int64_t turn = doubled_area(caster) > 0 ? 1 : -1;
+  for (int i = 0; i < 3; ++i) {
+    const LightPoint& a = caster.vertex[i];
+    const Edge e = between(a, caster.vertex[(i + 1) % 3]);
+    std::int64_t side = e.x * (std::int64_t{p.y} - a.y) - e.y * (std::int64_t{p.x} - a.x);
+    if (side == 0 && on_lower) side = e.x;
+    if (side == 0 && on_left) side = -e.y;
+    if (turn * side < 0) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 double contact_distance(const Caster& facet, const UnitConfig& config,
@@ -85,25 +102,18 @@ double contact_distance(const Caster& facet, const UnitConfig& config,
 bool clear_of_contact(const ExactReference& reference, const std::vector<Caster>& casters,
                       const Fragment& f, Semantics semantics, const UnitConfig& config,
                       std::uint32_t fraction_bits) {
-  const auto clear_at = [&](const LightPoint& p) {
-    std::vector<std::uint32_t> near;
-    reference.casters_in(p.x, p.y, p.x, p.y, near);
-    return std::any_of(near.begin(), near.end(), [&](std::uint32_t index) {
-      const Caster& caster = casters[index];
-      if (semantics == Semantics::kPaper && caster.object == f.object) return false;
-      if (nearest_depth(caster) >= p.z) return false;
-      const Weights weights = weights_at(caster, p.x, p.y);
-      return weights.inside() && double(p.z) - plane_depth(caster, weights) >
-                                     contact_distance(caster, config, fraction_bits);
-    });
-  };
-  // What only touches a texel's left or lower border is no part of the texel.
-  const std::int32_t mask = (1 << fraction_bits) - 1;
-  LightPoint within = f.position;
-  within.x += (within.x & mask) == 0;
-  within.y += (within.y & mask) == 0;
-  return clear_at(f.position) &&
-         ((within.x == f.position.x && within.y == f.position.y) || clear_at(within));
+  const LightPoint& p = f.position;
+  std::vector<std::uint32_t> near;
+  reference.casters_in(p.x, p.y, p.x, p.y, near);
+  return std::any_of(near.begin(), near.end(), [&](std::uint32_t index) {
+    const Caster& caster = casters[index];
+    if (semantics == Semantics::kPaper && caster.object == f.object) return false;
+    if (nearest_depth(caster) >= p.z || !covers_within_texel(caster, p, fraction_bits)) {
+      return false;
+    }
+    return double(p.z) - plane_depth(caster, weights_at(caster, p.x, p.y)) >
+           contact_distance(caster, config, fraction_bits);
+  });
 }
 
 }  // namespace kagesen

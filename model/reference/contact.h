@@ -23,8 +23,8 @@ namespace kagesen {
 double contact_distance(const Caster& facet, const UnitConfig& config, std::uint32_t fraction_bits);
 
 /// Does some caster that may shadow f cover it and lie more than its contact distance nearer the
-/// light? Then no depth excuses the verdict "lit". On a texel's left or lower border the same must
-/// hold one unit inside: what only touches the border is no part of the texel. Exact in the plane;
+/// light? Then no depth excuses the verdict "lit". What only touches the left or the lower border
+/// of f's texel, from beyond, is no part of the texel and does not cover. Exact in the plane;
 /// depths in doubles, off by less than 2^-20.
 bool clear_of_contact(const ExactReference& reference, const std::vector<Caster>& casters,
                       const Fragment& f, Semantics semantics, const UnitConfig& config,

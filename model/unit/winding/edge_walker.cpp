@@ -97,7 +97,8 @@ bool EdgeWalker::segment(Segment& out) const {
       std::swap(out.y0, out.y1);
     }
   }
-  return !out.vanished();
+  if (out.dot()) out.flags = 0;  // it has no side
+  return true;
 }
 
 void EdgeWalker::row(std::int32_t& low_x, std::int32_t& high_x) const {

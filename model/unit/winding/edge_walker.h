@@ -23,7 +23,7 @@ class EdgeWalker {
   std::int32_t y() const { return v_; }
   bool last() const { return u_ == last_u_ && v_ == last_v_; }
   void step();
-  /// The piece in this texel. False where nothing of it is stored.
+  /// The piece in this texel. False where it is no part of it (see Segment).
   bool segment(Segment& out) const;
 
   /// The first and the last texel along x of this edge in the walker's row, without a step within

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <tuple>
 
 namespace kagesen::unit::winding {
 namespace {
@@ -67,7 +68,12 @@ void FacetPlane::take_plane(const Caster& c) {
   origin_z_ = c.vertex[0].z;
 }
 
-bool FacetPlane::take_narrow(const Caster& c) {
+bool FacetPlane::take_narrow(const Caster& caster) {
+  // Of equally long edges the first in an order that the vertices' own order has no part in.
+  Caster c = caster;
+  std::sort(c.vertex, c.vertex + 3, [](const LightPoint& a, const LightPoint& b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  });
   int longest = 0;
   for (int i = 1; i < 3; ++i) {
     if (edge(c.vertex[i], c.vertex[(i + 1) % 3]).squared() >

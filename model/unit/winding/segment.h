@@ -12,6 +12,7 @@ struct Segment {
   enum Flag : std::uint8_t {
     kPositive = 1,     ///< +1 for what lies right of it; of a crossing one, for what lies above
     kCrossesLeft = 2,  ///< end 0 is where it crosses the texel's left border
+    kInner = 4,        ///< of an inner edge: the facet beyond it has the same plane
   };
   // 0 to 2^end_bits. End 0: the crossing of the left border, else the end travelled from.
   std::int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
@@ -19,10 +20,16 @@ struct Segment {
 
   bool positive() const { return (flags & kPositive) != 0; }
   bool crosses_left() const { return (flags & kCrossesLeft) != 0; }
-  /// Rounded to one point that the winding number does not see.
-  bool vanished() const { return x0 == x1 && y0 == y1 && !crosses_left(); }
+  /// Rounded to one point, which the winding number does not see: only who is near it does.
+  bool dot() const { return x0 == x1 && y0 == y1 && !crosses_left(); }
+  bool inner() const { return (flags & kInner) != 0; }
+  bool same_ends(const Segment& s) const {
+    return x0 == s.x0 && y0 == s.y0 && x1 == s.x1 && y1 == s.y1;
+  }
+  /// The two pieces of an inner edge. Others never cancel, however equal: a needle whose sides
+  /// round to one segment would vanish from between its neighbours.
   bool opposes(const Segment& s) const {
-    return x0 == s.x0 && y0 == s.y0 && x1 == s.x1 && y1 == s.y1 && (flags ^ s.flags) == kPositive;
+    return inner() && same_ends(s) && (flags ^ s.flags) == kPositive;
   }
 };
 

@@ -70,7 +70,7 @@ class ShadowUnit {
   };
 
   // Pass 1
-  void walk_edge(const Drawn& facet, int index, unsigned passed);
+  void walk_edge(const Drawn& facet, int index, unsigned passed, bool inner);
   void pass_inner_edge(const Drawn& facet, int index, unsigned passed);
   void fill_spans(const Drawn& facet);
   bool covers_corner(const Drawn& facet, std::int32_t x, std::int32_t y) const {

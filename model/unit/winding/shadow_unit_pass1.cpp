@@ -71,7 +71,7 @@ void ShadowUnit::draw(const Caster& caster) {
     const LightPoint& a = v[i];
     const LightPoint& b = v[(i + 1) % 3];
     if ((inner >> i & 1) != 0 || (a.x == b.x && a.y == b.y)) continue;
-    walk_edge(facet, i, passed);
+    walk_edge(facet, i, passed, (hint.inner_edges >> i & 1) != 0);
     passed |= 1u << i;
   }
   for (int i = 0; i < 3; ++i) {
@@ -83,7 +83,7 @@ void ShadowUnit::draw(const Caster& caster) {
 }
 
 /// @param passed  edges walked before: the corner of a texel that they visited is counted
-void ShadowUnit::walk_edge(const Drawn& facet, int index, unsigned passed) {
+void ShadowUnit::walk_edge(const Drawn& facet, int index, unsigned passed, bool inner) {
   ++counters_.edges;
   const LightPoint* v = facet.caster.vertex;
   EdgeWalker walker(v[index], v[(index + 1) % 3], v[(index + 2) % 3], widths_.texel_bits,
@@ -97,7 +97,11 @@ void ShadowUnit::walk_edge(const Drawn& facet, int index, unsigned passed) {
         ++counters_.edge_texels;
         if (visit(x, y, facet.plane.in(walker.x(), walker.y()), facet.object, at)) {
           Segment segment;
-          const bool stored = walker.segment(segment);
+          bool stored = walker.segment(segment);
+          if (inner) {
+            stored = stored && !segment.dot();
+            segment.flags |= Segment::kInner;
+          }
           const bool corner = !rows_.visited(passed, x, y) && covers_corner(facet, x, y);
           add(at, facet.object, corner, stored ? &segment : nullptr);
         }

@@ -39,8 +39,13 @@ void SilhouetteBuffer::erase(std::uint32_t& head, std::uint32_t previous) {
 
 bool SilhouetteBuffer::add(Cluster& c, const Segment& segment, bool& cancelled) {
   cancelled = false;
-  for (std::uint32_t* link = &c.first_segment; *link != kNone; link = &segments_[*link].next) {
+  const bool may_meet = segment.inner() || segment.dot();
+  for (std::uint32_t* link = &c.first_segment; may_meet && *link != kNone;
+       link = &segments_[*link].next) {
     const std::uint32_t at = *link;
+    if (segment.dot() && segments_[at].segment.dot() && segments_[at].segment.same_ends(segment)) {
+      return true;
+    }
     if (!segments_[at].segment.opposes(segment)) continue;
     *link = segments_[at].next;
     segments_[at].next = free_segment_;

@@ -37,7 +37,8 @@ class SilhouetteBuffer {
   std::uint32_t insert(std::uint32_t& head, const Threshold& threshold, std::uint32_t object);
   /// Unlinks and frees the cluster that follows `previous` (kNone: is first).
   void erase(std::uint32_t& head, std::uint32_t previous);
-  /// Stores a segment, or cancels one that is equal and opposite. False if there is no room.
+  /// Stores a segment, or cancels the other piece of an inner edge; a dot is stored once. False if
+  /// there is no room.
   bool add(Cluster& c, const Segment& segment, bool& cancelled);
   void drop_segments(Cluster& c);
   template <typename Use>

@@ -12,9 +12,9 @@ namespace kagesen::unit::winding {
 struct Region {
   int corner = 0;
   std::vector<Segment> segments;
-  bool vanished = false;  ///< some piece was rounded to a point, or lies on a border
+  bool left_out = false;  ///< some edge lies within the left or the lower border
 
-  /// Pieces that oppose each other go, as in the unit.
+  /// With `cancels`, pieces that oppose each other go, as those of inner edges do.
   void store(const Segment& s, bool cancels) {
     for (std::size_t i = 0; cancels && i < segments.size(); ++i) {
       if (!segments[i].opposes(s)) continue;
@@ -34,9 +34,10 @@ struct Region {
         if (w.x() == texel_x && w.y() == texel_y) {
           Segment s;
           if (w.segment(s)) {
+            if (cancels && !s.dot()) s.flags |= Segment::kInner;
             store(s, cancels);
           } else {
-            vanished = true;
+            left_out = true;
           }
         }
         if (w.last()) break;

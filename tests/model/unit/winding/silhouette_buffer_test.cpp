@@ -15,7 +15,8 @@ constexpr std::size_t kLists = 3;
 
 /// Few different ones, half of them opposed to another.
 Segment segment(unsigned n) {
-  return {int(n >> 1 & 3), 1, 5, 2, std::uint8_t(n & 1 ? Segment::kPositive : 0)};
+  return {int(n >> 1 & 3), 1, 5, 2,
+          std::uint8_t(Segment::kInner | (n & 1 ? Segment::kPositive : 0))};
 }
 auto key(const Segment& s) { return std::tuple(s.x0, s.flags); }
 
@@ -191,6 +192,23 @@ TEST(WindingSilhouetteBufferAlone, EachSegmentStopsWhenTold) {
   int seen = 0;
   slb.each_segment(slb[at], [&](const Segment&) { return ++seen < 3; });
   EXPECT_EQ(seen, 3);
+}
+
+TEST(WindingSilhouetteBufferAlone, OnlyInnerPiecesCancelAndADotIsStoredOnce) {
+  SilhouetteBuffer slb;
+  slb.clear(8, 2);
+  std::uint32_t head = kNone;
+  const std::uint32_t at = slb.insert(head, {}, 0);
+  bool cancelled;
+  for (const unsigned n : {2u, 3u}) {  // the sides of a needle
+    Segment side = segment(n);
+    side.flags ^= Segment::kInner;
+    ASSERT_TRUE(slb.add(slb[at], side, cancelled));
+    EXPECT_FALSE(cancelled);
+  }
+  EXPECT_EQ(slb[at].segment_count, 2u);
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(slb.add(slb[at], {4, 4, 4, 4, 0}, cancelled));
+  EXPECT_EQ(slb[at].segment_count, 3u);
 }
 
 TEST(WindingSilhouetteBufferAlone, ClearForgetsAll) {
