@@ -40,7 +40,8 @@ const std::vector<Binding>& bindings() {
       integer("map_width", &C::map_width, 1, kMaxMapSide, "Width of the map, texels"),
       integer("map_height", &C::map_height, 1, kMaxMapSide, "Height of the map, texels"),
       integer("fraction_bits", &C::fraction_bits, 1, 15,
-              "Bits of a line's Fraction, UQ0.n texel (3.1)"),
+              "Bits of a line's Fraction, UQ0.n texel (3.1); winding: exact beyond 2^-n texel, 12 "
+              "at most"),
       integer("slope_bits", &C::slope_bits, 1, 15, "Bits of a line's Slope, UQ0.n (3.1)"),
       integer("depth_bits", &C::depth_bits, 8, kDepthBits, "Bits of a stored depth"),
       integer("id_bits", &C::id_bits, 1, 24, "Bits of an object ID (3.2: 8 or more)"),
@@ -72,7 +73,7 @@ const std::vector<Binding>& bindings() {
       integer("end_guard_bits", &C::end_guard_bits, 2, 4,
               "Winding: bits of a segment's ends beyond fraction_bits"),
       integer("gradient_bits", &C::gradient_bits, 3, 10,
-              "Winding: mantissa bits of a plane's gradient"),
+              "Winding: mantissa bits of a plane's gradient; never less than fraction_bits - 1"),
       integer("plane_step_bits", &C::plane_step_bits, 0, 12,
               "Winding: log2 of the depth step of a stored plane"),
       integer("plane_tolerance", &C::plane_tolerance, 0, 1 << 16,

@@ -33,9 +33,10 @@ void add_warnings(const Trace& trace, RunResult& result) {
                         (result.config.id_bits == 1 ? " is" : " are")));
   }
   if (counters.overflow_texels > 0 && result.config.profile == Profile::kWinding) {
-    result.warnings.push_back(fmt::format("{} of {} found no room; raise cluster_records",
-                                          counted(counters.overflow_lines, "segment"),
-                                          counted(counters.overflow_texels, "texel")));
+    result.warnings.push_back(fmt::format(
+        "{} of {} found no room; raise cluster_records, "
+        "chain_records or corner_bits",
+        counted(counters.overflow_lines, "segment"), counted(counters.overflow_texels, "texel")));
   } else if (counters.overflow_texels > 0) {
     result.warnings.push_back(fmt::format(
         "{} of {} found no room; overflowed texels answer as a plain map does",

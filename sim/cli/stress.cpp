@@ -29,8 +29,9 @@ struct StressArguments {
   bool resume = false;
 };
 
-std::uint64_t parse_count(const std::string& option, const std::string& text, double most) {
-  const double value = parse_number(option, text, 0, most);
+std::uint64_t parse_count(const std::string& option, const std::string& text, double least,
+                          double most) {
+  const double value = parse_number(option, text, least, most);
   if (value != static_cast<double>(static_cast<std::uint64_t>(value))) {
     throw UserError(option, "'" + text + "' is not a whole number", "give one without a fraction");
   }
@@ -83,7 +84,17 @@ std::string row(const std::string& name, const Totals& t) {
                      grouped(t.violations));
 }
 
-std::string table(const State& state) {
+/// The options that a case depends on, as they were given.
+std::string given(const StressArguments& arguments) {
+  std::string text;
+  if (arguments.profile != "both") text += " --profile " + arguments.profile;
+  if (!arguments.family.empty()) text += " --family " + arguments.family;
+  if (!arguments.settings.file.empty()) text += " --config " + arguments.settings.file;
+  for (const std::string& set : arguments.settings.sets) text += " --set " + set;
+  return text;
+}
+
+std::string table(const State& state, const StressArguments& arguments) {
   std::string text =
       fmt::format("Stress, seed {}: {} in {:.0f} s; the next is {}\n\n", state.seed,
                   counted(state.total().cases, "case"), state.seconds, state.next_case);
@@ -102,8 +113,9 @@ std::string table(const State& state) {
     for (const std::string& line : f.replay) text += "  " + line + "\n";
   }
   if (const Failure* least = stress::smallest(state)) {
-    text += fmt::format("\nThe smallest failing case is {}\n  kagesen stress --seed {} --case {}\n",
-                        least->file, state.seed, least->case_number);
+    text +=
+        fmt::format("\nThe smallest failing case is {}\n  kagesen stress --seed {} --case {}{}\n",
+                    least->file, state.seed, least->case_number, given(arguments));
   }
   return text;
 }
@@ -112,7 +124,7 @@ State starting_state(const StressArguments& arguments, const std::string& path) 
   State state;
   if (arguments.resume) state = stress::read_state(path);
   if (!arguments.seed.empty()) {
-    const std::uint64_t seed = parse_count("--seed", arguments.seed, 0x1p53);
+    const std::uint64_t seed = parse_count("--seed", arguments.seed, 0, 0x1p53);
     if (arguments.resume && seed != state.seed) {
       throw UserError("--seed", fmt::format("the run to go on with has seed {}", state.seed),
                       "leave --seed or --resume out");
@@ -129,9 +141,10 @@ void run_stress(const StressArguments& arguments) {
   options.cases = case_options(arguments);
   options.family = arguments.family;
   if (!arguments.family.empty()) check_family(arguments.family);
-  if (!arguments.cases.empty()) options.case_limit = parse_count("--cases", arguments.cases, 1e15);
+  if (!arguments.cases.empty())
+    options.case_limit = parse_count("--cases", arguments.cases, 1, 1e15);
   if (!arguments.minutes.empty()) {
-    options.seconds = 60 * parse_number("--minutes", arguments.minutes, 0, 1e6);
+    options.seconds = 60 * parse_number("--minutes", arguments.minutes, 0.001, 1e6);
   } else if (options.case_limit == 0) {
     options.seconds = 60;
   }
@@ -147,7 +160,7 @@ void run_stress(const StressArguments& arguments) {
   State state = starting_state(arguments, state_path);
   const bool one_case = !arguments.only_case.empty();
   if (one_case) {
-    state.next_case = parse_count("--case", arguments.only_case, 0x1p53);
+    state.next_case = parse_count("--case", arguments.only_case, 0, 0x1p53);
     options.family.clear();
     options.case_limit = 1;
   }
@@ -176,7 +189,7 @@ void run_stress(const StressArguments& arguments) {
   if (json) *json << text;
   outputs.commit();
   progress.clear();
-  std::cout << (json_to_stdout ? text : table(state)) << std::flush;
+  std::cout << (json_to_stdout ? text : table(state, arguments)) << std::flush;
   if (!state.failures.empty()) throw CLI::RuntimeError(1);
 }
 

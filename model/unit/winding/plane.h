@@ -15,7 +15,7 @@ struct Widths {
 
   int texel_bits = 16;    ///< log2 of a texel's units
   int fraction_bits = 8;  ///< F: the contract's radius is 2^-F texel
-  int end_bits = 10;      ///< of a segment's ends, and of the place a plane is evaluated at
+  int end_bits = 11;      ///< of a segment's ends, and of the place a plane is evaluated at
   int step_bits = 4;      ///< log2 of the depth step
   int gradient_bits = 7;  ///< mantissa
   std::int64_t tolerance = 16;
@@ -98,7 +98,8 @@ class FacetPlane {
   std::int32_t base(std::int64_t centre_depth) const;
 
   Widths w_;
-  // Depth at (x, y): origin_.z + (gradient_x_ x + gradient_y_ y) / base_, from origin_, in units.
+  // Depth at (x, y) from the origin, in units:
+  // origin_z_ + (gradient_x_ x + gradient_y_ y) / denominator_.
   std::int64_t origin_x_ = 0, origin_y_ = 0, origin_z_ = 0;
   std::int64_t gradient_x_ = 0, gradient_y_ = 0, denominator_ = 1;
   std::uint16_t code_x_ = 0, code_y_ = 0;

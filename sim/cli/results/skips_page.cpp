@@ -66,7 +66,9 @@ std::string skips_section(const std::vector<SceneResults>& results) {
       "*Compared*: verdicts with all skips off, and with each alone off, held against those with "
       "all on; how many *differ*. The times are of clearing, announcing the fragments and both "
       "passes with all skips on and all off, the best of five each, taken by turns on the machine "
-      "that made this page; the target is no scene above {}. Again: section *Skipped* and the "
+      "that made this page; what the host prepares of a frame (stage *setup*) is left out. The "
+      "target "
+      "is no scene above {}. Again: section *Skipped* and the "
       "times of `./kagesen run SCENE --set profile=winding`, with `--set skip_...=false`.\n",
       kSlowest);
   text += "\n**Physical semantics**\n\n" + skip_table(results, Semantics::kPhysical);
