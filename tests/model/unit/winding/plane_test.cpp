@@ -177,6 +177,22 @@ INSTANTIATE_TEST_SUITE_P(Shapes, WindingPlane,
                                          Shape{16, 8, 2, 7, 0, 4000}, Shape{20, 8, 2, 3, 0, 1000},
                                          Shape{16, 8, 3, 7, 4, 16}));
 
+/// Two sides equally long, each of which could give the depth.
+TEST(WindingPlaneBounds, OfANarrowFacetDoNotDependOnItsVerticesOrder) {
+  UnitConfig config;
+  config.fraction_bits = 12;
+  const Widths w(config, 16);
+  Caster c{{{458753, -458752, 0}, {458752, -589824, 0}, {458751, -458752, 9437184}}, 0, 0};
+  const auto later = [](const LightPoint& a, const LightPoint& b) {
+    return a.x != b.x ? a.x < b.x : a.y < b.y;
+  };
+  std::sort(c.vertex, c.vertex + 3, later);
+  const Threshold first = FacetPlane(c, nullptr, w).in(6, -8);
+  while (std::next_permutation(c.vertex, c.vertex + 3, later)) {
+    ASSERT_TRUE(FacetPlane(c, nullptr, w).in(6, -8) == first);
+  }
+}
+
 TEST(WindingPlaneBounds, HoldOverEveryPlaceOfASmallTexel) {
   std::mt19937 random(4);
   for (int run = 0; run < 20000; ++run) {
