@@ -149,6 +149,24 @@ std::optional<Exact> threshold_behind(const Inputs& in) {
   return Exact((at->threshold - at->depth) / Exact(at->contact));
 }
 
+/// The same of a narrow facet, whose contact distance holds what its stored plane leaves out.
+std::optional<Exact> threshold_behind_narrow(const Inputs& in) {
+  const auto at = on_facet(in);
+  if (!at || !is_narrow(*caster_of(in), widths_for(in[11]))) return {};
+  return Exact((at->threshold - at->depth) / Exact(at->contact));
+}
+
+/// A facet within a snap step or two across, at any place.
+Inputs draw_on_narrow_facet(Dice& dice) {
+  Inputs in = draw_on_facet(dice);
+  const std::int64_t width = std::int64_t{1} << dice.in(0, in[11] - 8);
+  for (int axis = 0; axis < 2; ++axis) {
+    const std::int64_t along = dice.one_in(4) ? 0 : dice.in(0, 1024);
+    in[6 + axis] = in[axis] + (in[3 + axis] - in[axis]) * along / 1024 + dice.in(-width, width);
+  }
+  return in;
+}
+
 /// Inputs: a gradient a texel. In units of what its code can tell apart.
 std::optional<Exact> gradient_error(const Inputs& in) {
   const std::int64_t value = in[0];
@@ -181,6 +199,9 @@ std::vector<Quantity> winding_value_quantities() {
       {"winding", "threshold, farthest", "base and gradient codes",
        "behind a facet that is not narrow, parts of its contact distance B", "1", one, false,
        kFacetInputs, draw_on_facet, threshold_behind},
+      {"winding", "threshold, narrow facet", "base and gradient codes",
+       "behind a narrow facet, parts of its contact distance B", "1", one, false, kFacetInputs,
+       draw_on_narrow_facet, threshold_behind_narrow},
       {"winding", "gradient code", "sign, 5 exponent bits, mantissa",
        "off by, units of its last mantissa bit", "1/2", half, false, kGradientInputs,
        [](Dice& dice) { return Inputs{dice.either(dice.magnitude(39))}; }, gradient_error},
