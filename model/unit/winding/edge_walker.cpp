@@ -34,21 +34,21 @@ EdgeWalker::EdgeWalker(const LightPoint& a, const LightPoint& b, const LightPoin
 bool EdgeWalker::leaves_u() const {
   if (u_ == last_u_) return false;
   if (v_ == last_v_) return true;
-  const std::int64_t border = (std::int64_t{v_} + 1) << bits_;
+  const std::int64_t border = (std::int64_t{v_} + 1) * texel();
   return v_at_u_.whole < border || (v_at_u_.whole == border && v_at_u_.rest == 0);
 }
 
 bool EdgeWalker::leaves_v() const {
   if (v_ == last_v_) return false;
   if (u_ == last_u_) return true;
-  return v_at_u_.whole >= (std::int64_t{v_} + 1) << bits_;
+  return v_at_u_.whole >= (std::int64_t{v_} + 1) * texel();
 }
 
 EdgeWalker::End EdgeWalker::exit() const {
   const bool along_u = leaves_u(), along_v = leaves_v();
   if (!along_u && !along_v) return {whole(to_.x), whole(to_.y)};
-  return {along_u ? whole((std::int64_t{u_} + 1) << bits_) : of(u_at_v_),
-          along_v ? whole((std::int64_t{v_} + 1) << bits_) : of(v_at_u_)};
+  return {along_u ? whole((std::int64_t{u_} + 1) * texel()) : of(u_at_v_),
+          along_v ? whole((std::int64_t{v_} + 1) * texel()) : of(v_at_u_)};
 }
 
 void EdgeWalker::step() {
@@ -65,7 +65,7 @@ void EdgeWalker::step() {
 }
 
 std::int32_t EdgeWalker::snap(const Exact& value, std::int32_t texel_index) const {
-  const std::int64_t within = value.whole - (std::int64_t{texel_index} << bits_);
+  const std::int64_t within = value.whole - texel_index * texel();
   const int shift = bits_ - end_bits_;
   if (shift == 0) return static_cast<std::int32_t>(within + (2 * value.rest >= value.base));
   return static_cast<std::int32_t>((within + (std::int64_t{1} << (shift - 1))) >> shift);
@@ -84,8 +84,8 @@ bool EdgeWalker::segment(Segment& out) const {
 
   // The left border is met on entry, mirrored on leaving. The sample lies above the lower corner.
   const End& left = x_positive_ ? entry_ : leave;
-  const std::int64_t border = (std::int64_t{u_} + (x_positive_ ? 0 : 1)) << bits_;
-  const std::int64_t corner = std::int64_t{v_} << bits_;
+  const std::int64_t border = (std::int64_t{u_} + (x_positive_ ? 0 : 1)) * texel();
+  const std::int64_t corner = v_ * texel();
   const bool crosses =
       left.u.whole == border && left.u.integer() && (left.v.whole > corner || !left.v.integer());
   if (crosses) {

@@ -52,7 +52,7 @@ struct Threshold {
 /// A threshold spread out: what its reader computes once.
 struct ThresholdPlane {
   ThresholdPlane(const Threshold& t, const Widths& w)
-      : base(std::int64_t{t.base} << w.step_bits),
+      : base(t.base * (std::int64_t{1} << w.step_bits)),
         x(decode_gradient(t.gradient_x, w)),
         y(decode_gradient(t.gradient_y, w)) {}
 

@@ -183,7 +183,7 @@ void ShadowUnit::drop_hidden(Texel& texel) {
 void ShadowUnit::overflow(const Visit& visit, std::uint32_t object) {
   Texel& texel = *visit.texel;
   const auto keep_nearest = [&](const Threshold& t, std::uint32_t of) {
-    const std::int64_t depth = std::int64_t{t.base} << widths_.step_bits;
+    const std::int64_t depth = t.base * (std::int64_t{1} << widths_.step_bits);
     if (texel.object == Texel::kNobody || depth < texel.cover.base) note_cover(texel, depth, of);
   };
   ++counters_.overflow_lines;
@@ -191,7 +191,7 @@ void ShadowUnit::overflow(const Visit& visit, std::uint32_t object) {
   if (!texel.overflow()) {
     ++counters_.overflow_texels;
     if (texel.one_plane()) {
-      note_cover(texel, std::int64_t{texel.cover.base} << widths_.step_bits, texel.object);
+      note_cover(texel, texel.cover.base * (std::int64_t{1} << widths_.step_bits), texel.object);
     } else {
       texel.object = Texel::kNobody;
     }
