@@ -63,7 +63,7 @@ TEST_F(CliResults, ResultsPage) {
   ASSERT_EQ(fine.size(), 6u);
   EXPECT_GE(std::stod(coarse[3]), std::stod(coarse[2]));  // the exact test misses nothing
   EXPECT_GT(std::stod(fine[3]), std::stod(coarse[3]));
-  EXPECT_NE(page.find("Seed 7: 9 cases and 123,456,789 fragments in 10 minutes"),
+  EXPECT_NE(page.find("Seed 7: 9 cases and 123,456,789 fragments in 10.0 minutes"),
             std::string::npos);
   EXPECT_NE(page.find("0 violations. The target is none in 100,000,000 fragments: reached"),
             std::string::npos);
