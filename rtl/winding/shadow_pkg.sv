@@ -19,13 +19,14 @@ package shadow_pkg;
   localparam int unsigned TexelLines    = 64;   // texel words kept on chip in pass 1, a power of two
   localparam int unsigned RecordLines   = 64;  // SLB records kept on chip in pass 1, a power of two
 
+  localparam int unsigned MapBits       = 10;  // of a texel index; the map's sides are at most 2^MapBits
+
   // Fixed by the trace format.
   localparam int unsigned CoordBits  = 28;  // signed, units of 2^-f texel, f = 16 to 26
   localparam int unsigned MaxFraction = 26;
   localparam int unsigned TraceDepthBits = 24;
   localparam int unsigned ObjectBits = 24;
-  localparam int unsigned MapBits    = 12;  // texel index along an axis, map of up to 4096
-  localparam int unsigned RowIndexBits = 14;  // signed: texel index from the map's corner, off the map too
+  localparam int unsigned RowIndexBits = 14;  // signed: texel index from the map's corner, off the map too, for any f
 
   localparam int unsigned EndBits    = FractionBits + EndGuardBits;  // G <= 16 <= f
   localparam int unsigned EndWidth   = EndBits + 1;                  // UQ1.G, 0 to 1
