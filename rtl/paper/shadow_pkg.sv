@@ -61,17 +61,27 @@ package shadow_pkg;
     logic [ObjectBits-1:0] object;  // unit ID
     point_t                p;
   } frag_t;
+  localparam int unsigned FragBits = 3 + ObjectBits + 2 * CoordBits + TraceDepthBits;
 
   typedef struct packed {
     logic [2:0] by;  // what decided: one of By*
     logic       dark;
   } verdict_t;
+  localparam int unsigned VerdictBits = 4;
   localparam logic [2:0] ByDefinition = 3'd0;  // averted: dark
   localparam logic [2:0] ByOutside    = 3'd1;  // outside the light or the map: lit
   localparam logic [2:0] ByNothing    = 3'd2;  // lit, everything that holds the texel was asked
   localparam logic [2:0] ByBuffer     = 3'd3;  // dark by the texel buffers
   localparam logic [2:0] ByLines      = 3'd4;  // dark by the SLB
   localparam logic [2:0] ByTile       = 3'd5;  // winding alone
+
+  // Passes, as CONTROL starts them.
+  localparam logic [2:0] PassIdle     = 3'd0;
+  localparam logic [2:0] PassWipe     = 3'd1;  // a new frame: empty buffers
+  localparam logic [2:0] PassAnnounce = 3'd2;  // winding alone: the frame's fragments, for the receiver mask
+  localparam logic [2:0] PassDraw     = 3'd3;  // pass 1
+  localparam logic [2:0] PassSettle   = 3'd4;  // ends pass 1
+  localparam logic [2:0] PassDecide   = 3'd5;  // pass 2
 
   // What the registers say; constant during a pass.
   typedef struct packed {
@@ -201,6 +211,7 @@ package shadow_pkg;
     logic       edge_texel;    // a texel on the map was visited
     logic [2:0] span_texels;   // texels of spans
   } front_events_t;
+  localparam int unsigned FrontEventBits = 6;
   typedef struct packed {
     logic        line_stored;
     logic        line_cancelled;
@@ -209,9 +220,11 @@ package shadow_pkg;
     logic [15:0] overflow_lines;
     logic        overflow_texel;
   } store_events_t;
+  localparam int unsigned StoreEventBits = 36;
   typedef struct packed {
     logic                     slb_lookup;  // a fragment begins to read the SLB
     logic                     entry_read;
     logic [LineCountBits-1:0] lines_read;
   } lane_events_t;
+  localparam int unsigned LaneEventBits = 2 + LineCountBits;
 endpackage
