@@ -35,7 +35,7 @@ module unit_registers (
   output logic [24:0] chain_limit_o,
   output logic [16:0] plane_tolerance_o,
   output logic [6:0]  policy_o,
-  output logic [4:0]  counter_select_o,
+  output logic [5:0]  counter_select_o,
   output logic        counter_clear_o,  // one cycle: another event was selected
   // from the unit
   input  logic        busy_i,
@@ -54,6 +54,9 @@ module unit_registers (
   logic        write, settings_open;
   logic [5:0]  write_at, read_at;
   logic [31:0] read_data;
+  logic        unused;
+
+  assign unused = &{1'b0, s_awaddr_i[1:0], s_araddr_i[1:0]};  // words alone are addressed
 
   // Address and data are taken in one cycle, and only when the last answer has gone.
   assign write         = s_awvalid_i && s_wvalid_i && !s_bvalid_o;
@@ -106,7 +109,7 @@ module unit_registers (
 
   always_ff @(posedge clk_i) begin
     if (s_arready_o) s_rdata_o <= read_data;
-    if (write && write_at == CounterSelect) counter_select_o <= s_wdata_i[4:0];
+    if (write && write_at == CounterSelect) counter_select_o <= s_wdata_i[5:0];
     if (settings_open) begin
       case (write_at)
         Control:        pass_o            <= s_wdata_i[2:0];
