@@ -95,6 +95,20 @@ const std::vector<Binding>& bindings() {
              "Winding: do not walk edges inside a plane that several facets share"),
       choice("skip_fragments", &C::skip_fragments, {"false", "true"},
              "Winding: look nothing up for fragments whose verdict is known"),
+      integer("lanes", &C::lanes, 1, 4, "RTL: lanes of pass 2, a fragment a cycle each"),
+      integer("fragment_slots", &C::fragment_slots, 8, 128, "RTL: fragments in flight a lane",
+              true),
+      integer("visit_fifo_depth", &C::visit_fifo_depth, 4, 256,
+              "RTL: visits that wait for the store, whose memory is fetched ahead", true),
+      integer("texel_lines", &C::texel_lines, 8, 128, "RTL: texel words that pass 1 keeps on chip",
+              true),
+      integer("record_lines", &C::record_lines, 8, 128,
+              "RTL: SLB records that pass 1 keeps on chip", true),
+      integer("memory_latency", &C::memory_latency, 1, 1000,
+              "RTL's bench: cycles from a memory request to its response"),
+      integer("memory_stall", &C::memory_stall, 0, 99,
+              "RTL's bench: per cent of the cycles in which a memory port takes no request"),
+      integer("memory_seed", &C::memory_seed, 0, 1 << 30, "RTL's bench: seed of the stalls"),
   };
   return all;
 }
