@@ -78,6 +78,7 @@ int run_program(int argc, char** argv) {
   add_stress(app);
   add_numerics(app);
   add_curve(app);
+  add_gates(app);
   add_rtl(app);
   try {
     app.parse(argc, argv);

@@ -1,0 +1,66 @@
+#pragma once
+/// What the unit costs in gates, memory and time, from Yosys and OpenSTA.
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "model/unit/config.h"
+
+namespace kagesen {
+
+/// Assumed of the memories, which are not synthesised.
+inline constexpr double kRamAccessNs = 1.5;  ///< rising clock to data
+inline constexpr double kRamSetupNs = 0.3;   ///< of address, data and enables
+inline constexpr double kTargetMhz = 150;
+
+struct GateOptions {
+  std::string library = "osu018";
+  std::string top = "shadow_unit";
+  std::string abc;       ///< another script for ABC; empty: the committed one
+  std::string adders;    ///< another map of adders for techmap; empty: the committed one
+  bool flatten = false;  ///< before mapping; then there is only one block
+  /// What the package is changed in, as "Name=value" of its own constants; for what no key sets.
+  std::vector<std::string> package_sets;
+};
+
+struct MemoryReport {
+  std::string path;  ///< instance, from the top
+  std::uint64_t width = 0, depth = 0;
+  std::uint64_t bits() const { return width * depth; }
+};
+
+/// All instances of a module together, whatever their parameters.
+struct BlockReport {
+  std::uint64_t instances = 0;
+  double own_ge = 0;              ///< cells of its own
+  double ge = 0;                  ///< with all that it holds
+  std::uint64_t memory_bits = 0;  ///< with all that it holds
+};
+
+struct GateReport {
+  double total_ge = 0, fmax_mhz = 0;
+  double flop_ge = 0;  ///< of the total, flip-flops
+  std::uint64_t memory_bits = 0, cells = 0, flops = 0;
+  std::map<std::string, std::uint64_t>
+      unmapped;  ///< cells that are not of the library, and latches
+  std::map<std::string, BlockReport> blocks;
+  std::vector<MemoryReport> memories;
+  std::string critical_path;  ///< "from -> to"
+  std::string top, library, tools, scripts;
+  double nand2_area = 0;
+  bool flattened = false;
+  std::string folder;  ///< where netlist.v, timing.txt and the logs are
+};
+
+/// The package (types and widths) that a configuration gives, with `sets` applied.
+std::string package_text(const UnitConfig& config, const std::vector<std::string>& sets);
+
+/// Throws UserError when a tool or library is absent, and when Yosys or OpenSTA refuse the RTL (the
+/// message has their words).
+/// @param progress  told what is being done
+GateReport measure_gates(const UnitConfig& config, const GateOptions& options,
+                         const std::function<void(const std::string&)>& progress);
+
+}  // namespace kagesen

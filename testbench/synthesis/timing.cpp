@@ -1,0 +1,137 @@
+#include "testbench/synthesis/timing.h"
+
+#include <fmt/format.h>
+
+#include <regex>
+
+#include "testbench/synthesis/gates.h"
+#include "testbench/tools/cache.h"
+#include "testbench/tools/process.h"
+#include "testbench/tools/rtl_sources.h"
+#include "testbench/tools/template.h"
+#include "traces/format/error.h"
+
+namespace kagesen {
+namespace {
+
+using Sizes = std::set<std::pair<unsigned, unsigned>>;  ///< width, depth
+
+/// OpenSTA takes no parameters: each size of ram_1r1w becomes a cell of its own.
+std::string with_sized_rams(const std::string& netlist, Sizes& sizes) {
+  static const std::regex ram(
+      R"(ram_1r1w #\(\s*\.Depth\(32'd(\d+)\),\s*\.Width\(32'd(\d+)\)\s*\))");
+  std::string text;
+  auto last = netlist.begin();
+  for (std::sregex_iterator found(netlist.begin(), netlist.end(), ram), end; found != end;
+       ++found) {
+    const std::string depth = (*found)[1], width = (*found)[2];
+    sizes.insert({std::stoul(width), std::stoul(depth)});
+    text.append(last, (*found)[0].first);
+    text += fmt::format("ram_1r1w_{}x{}", width, depth);
+    last = (*found)[0].second;
+  }
+  return text.append(last, netlist.end());
+}
+
+unsigned bits_for(unsigned depth) {
+  unsigned bits = 1;
+  while ((1u << bits) < depth) ++bits;
+  return bits;
+}
+
+std::string ram_cell(unsigned width, unsigned depth) {
+  const std::string setup = fmt::format(
+      "timing () {{ related_pin : \"clk_i\"; timing_type : setup_rising; rise_constraint (scalar) "
+      "{{ values (\"{0}\"); }} fall_constraint (scalar) {{ values (\"{0}\"); }} }}",
+      kRamSetupNs);
+  const std::string access = fmt::format(
+      "timing () {{ related_pin : \"clk_i\"; timing_type : rising_edge; cell_rise (delay) {{ "
+      "values "
+      "(\"{0}, {1}\"); }} rise_transition (delay) {{ values (\"0.1, 1.1\"); }} cell_fall (delay) "
+      "{{ "
+      "values (\"{0}, {1}\"); }} fall_transition (delay) {{ values (\"0.1, 1.1\"); }} }}",
+      kRamAccessNs, kRamAccessNs + 1);
+  const unsigned address = bits_for(depth);
+  std::string text = fmt::format(
+      "  type (a{0}x{1}) {{ base_type : array; data_type : bit; bit_width "
+      ": {2}; bit_from : {3}; bit_to : 0; }}\n  type (d{0}x{1}) {{ base_type : array; "
+      "data_type : bit; bit_width : {0}; bit_from : {4}; bit_to : 0; }}\n",
+      width, depth, address, address - 1, width - 1);
+  text += fmt::format(
+      "  cell (ram_1r1w_{}x{}) {{\n    area : 0;\n    pin (clk_i) {{ direction : input; "
+      "capacitance : 0.02; clock : true; }}\n",
+      width, depth);
+  for (const char* pin : {"write_i", "read_i"}) {
+    text +=
+        fmt::format("    pin ({}) {{ direction : input; capacitance : 0.02; {} }}\n", pin, setup);
+  }
+  const auto bus = [&](const char* name, char type, unsigned bits, const std::string& rest) {
+    text += fmt::format(
+        "    bus ({0}) {{ bus_type : {1}{2}x{3}; {4} pin ({0}[{5}:0]) {{ {4} {6} }} }}\n", name,
+        type, width, depth, type == 'q' ? "direction : output;" : "direction : input;", bits - 1,
+        rest);
+  };
+  const std::string input = "capacitance : 0.02; " + setup;
+  bus("write_addr_i", 'a', address, input);
+  bus("read_addr_i", 'a', address, input);
+  bus("write_data_i", 'd', width, input);
+  text += fmt::format(
+      "    bus (read_data_o) {{ bus_type : d{0}x{1}; direction : output; pin "
+      "(read_data_o[{2}:0]) {{ direction : output; {3} }} }}\n  }}\n",
+      width, depth, width - 1, access);
+  return text;
+}
+
+std::string ram_library(const Sizes& sizes) {
+  std::string text = R"(library (rams) {
+  delay_model : table_lookup;
+  time_unit : "1ns"; voltage_unit : "1V"; current_unit : "1uA";
+  pulling_resistance_unit : "1kohm"; leakage_power_unit : "1nW"; capacitive_load_unit (1, pf);
+  slew_upper_threshold_pct_rise : 80; slew_lower_threshold_pct_rise : 20;
+  slew_upper_threshold_pct_fall : 80; slew_lower_threshold_pct_fall : 20;
+  input_threshold_pct_rise : 50; input_threshold_pct_fall : 50;
+  output_threshold_pct_rise : 50; output_threshold_pct_fall : 50;
+  lu_table_template (delay) { variable_1 : total_output_net_capacitance; index_1 ("0.0, 1.0"); }
+)";
+  for (const auto& [width, depth] : sizes) text += ram_cell(width, depth);
+  return text + "}\n";
+}
+
+std::string match(const std::string& text, const std::string& pattern) {
+  std::smatch found;
+  return std::regex_search(text, found, std::regex(pattern)) ? found[1].str() : std::string();
+}
+
+}  // namespace
+
+Timing measure_timing(const std::filesystem::path& folder, const std::string& top,
+                      const CellLibrary& library, const std::string& sta) {
+  constexpr double kPeriodNs = 1000 / kTargetMhz;
+  Sizes sizes;
+  write_file(folder / "timing.v", with_sized_rams(read_file(folder / "netlist.v"), sizes));
+  write_file(folder / "rams.lib", ram_library(sizes));
+  const std::string script = read_file(source_folder() + "/testbench/synthesis/timing.tcl.in");
+  write_file(folder / "timing.tcl",
+             fill_template(script, {{"LIBERTY", library.liberty},
+                                    {"RAM_LIBERTY", "rams.lib"},
+                                    {"NETLIST", "timing.v"},
+                                    {"TOP", top},
+                                    {"PERIOD_NS", fmt::format("{:.4f}", kPeriodNs)}}));
+  const std::string log = (folder / "timing.txt").string();
+  run_process({sta, "-no_splash", "-exit", "timing.tcl"}, folder.string(), log, 600);
+  const std::string text = read_file(log);
+  std::filesystem::remove(folder / "timing.v");
+  const std::string slack = match(text, "WORST (-?[0-9.e+-]+)");
+  const std::string error = match(text, "(Error[^\n]*)");
+  if (slack.empty() || !error.empty()) {
+    throw UserError("OpenSTA", error.empty() ? "no slack" : error, "see " + log);
+  }
+  Timing timing;
+  const double longest = kPeriodNs - std::stod(slack);
+  timing.fmax_mhz = longest > 0 ? 1000 / longest : 0;
+  timing.from = match(text, "Startpoint: (\\S+)");
+  timing.to = match(text, "Endpoint: (\\S+)");
+  return timing;
+}
+
+}  // namespace kagesen

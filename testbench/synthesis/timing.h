@@ -1,0 +1,21 @@
+#pragma once
+/// The longest path of a mapped netlist, by OpenSTA.
+#include <filesystem>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "testbench/synthesis/cell_library.h"
+
+namespace kagesen {
+
+struct Timing {
+  double fmax_mhz = 0;
+  std::string from, to;
+};
+/// Works in `folder`, which holds netlist.v; leaves timing.txt there. Throws UserError with
+/// OpenSTA's words where it refuses.
+Timing measure_timing(const std::filesystem::path& folder, const std::string& top,
+                      const CellLibrary& library, const std::string& sta);
+
+}  // namespace kagesen
