@@ -71,6 +71,7 @@ module pass_control (
       state_q <= Idle;
     end else begin
       state_q <= state_d;
+      `CHECK(no_start_while_busy, !start_i || state_q == Idle)
       `CHECK(no_more_items_than_counted, state_q != Run || 32'(items_i) <= left_q)
     end
   end

@@ -2,7 +2,6 @@
 //
 // Timing: a write takes effect in the cycle after address and data have both arrived; one access
 //         at a time. Settings are written while the unit is idle; writes to them are ignored else.
-`include "check.svh"
 module unit_registers (
   input  logic        clk_i,
   input  logic        rst_ni,
@@ -103,7 +102,6 @@ module unit_registers (
       start_o         <= settings_open && write_at == Control && !s_wdata_i[7] && s_wdata_i[2:0] != 3'd0;
       abort_o         <= write && write_at == Control && s_wdata_i[7];
       counter_clear_o <= write && write_at == CounterSelect;
-      `CHECK(no_start_while_busy, !(start_o && busy_i))
     end
   end
 

@@ -46,8 +46,16 @@ std::map<std::string, std::string> values(const UnitConfig& c) {
 PackageWidths::PackageWidths(const UnitConfig& c)
     : map_bits(std::max(kMinMapBits,
                         bits_for(static_cast<std::uint64_t>(std::max(c.map_width, c.map_height))))),
-      texel_addr_bits(2 * map_bits - (c.profile == Profile::kWinding ? 1 : 2)),
-      record_addr_bits(kagesen::record_addr_bits(c)) {}
+      record_addr_bits(kagesen::record_addr_bits(c)) {
+  if (c.profile == Profile::kPaper) {
+    texel_bits = static_cast<int>(3 + c.id_bits + c.depth_bits);
+    return;
+  }
+  const unit::winding::Widths w(c, kMaxFractionBits);
+  const int threshold = w.base_bits() + 2 * w.gradient_code_bits();
+  const int list = 1 + 32 + record_addr_bits;
+  texel_bits = static_cast<int>(2 + c.id_bits) + std::max(threshold, list);
+}
 
 const std::string& embedded_source(const std::string& path) {
   for (const SourceText& source : embedded_sources()) {

@@ -12,10 +12,11 @@ namespace kagesen {
 /// policies, smaller maps) share one.
 std::string shadow_package(const UnitConfig& config);
 
-/// Widths that the package derives and the bench's memories need.
+/// Widths that the package derives.
 struct PackageWidths {
   explicit PackageWidths(const UnitConfig& config);
-  int map_bits, texel_addr_bits, record_addr_bits;
+  int map_bits, record_addr_bits;
+  int texel_bits;  ///< of a texel in a word of the texel memory
 };
 
 /// The folder of a profile under rtl/.

@@ -1,0 +1,3 @@
+#pragma once
+/// What a Verilated model prints goes to the bench (bench.cpp).
+int kagesen_print(const char* format, ...);
