@@ -26,7 +26,7 @@ struct GoldenVisit {
   std::uint32_t depth[4] = {0, 0, 0, 0};  ///< edge: [0]; span: where mask says
   std::uint32_t mask = 0;                 ///< span: bit i, texel x + i
   // Of the triangle, in every visit:
-  std::uint32_t object = 0, most = 0;
+  std::uint32_t object = 0, least = 0, most = 0;
   std::uint32_t rise = 0;  ///< at most the depth range; the RTL's may exceed it, to no effect
 };
 
@@ -53,9 +53,9 @@ inline void golden_visits(const Caster& caster, const UnitConfig& config, int te
   GoldenVisit tri;
   tri.object = caster.object & ((1u << config.id_bits) - 1);
   tri.most = std::max({c.vertex[0].z, c.vertex[1].z, c.vertex[2].z});
-  // farthest() takes the lesser of most and centre + rise: a rise beyond the range is as good as the range.
-  const std::uint32_t least = std::min({c.vertex[0].z, c.vertex[1].z, c.vertex[2].z});
-  tri.rise = polygon.farthest(least) - least;
+  tri.least = std::min({c.vertex[0].z, c.vertex[1].z, c.vertex[2].z});
+  // farthest() takes the lesser of most and centre + rise: beyond the range is as good as the range.
+  tri.rise = polygon.farthest(tri.least) - tri.least;
   visits.push_back(tri);
 
   const auto [low, high] = std::minmax({c.vertex[0].y, c.vertex[1].y, c.vertex[2].y});

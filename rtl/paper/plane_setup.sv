@@ -1,0 +1,131 @@
+// Plane setup: a triangle's gradients, and the plane's depth at the centre of each edge's first texel,
+// all as whole + rest / twice the area.
+//
+// Twin:    Polygon::make_plane, centre_ramp and farthest in model/unit/span_filler.cpp.
+// Numbers: the gradients' and the area's signs are inverted together where the area is negative.
+//          |gradient| < 2^(D+C+1) and |offset| <= 2^f - so numerators are below 2^(D+C+F+2).
+// Timing:  products come as edge_setup's program says. One divider does, in turn: step along x, along y,
+//          (rise,) then a start for each edge.
+`include "check.svh"
+module plane_setup #(
+  localparam int unsigned D = shadow_pkg::DepthBits,
+  localparam int unsigned C = shadow_pkg::CoordBits,
+  localparam int unsigned F = shadow_pkg::MaxFraction,
+  localparam int unsigned G = D + C + 2,                      // of a gradient, signed
+  localparam int unsigned P = 2 * ((D + C + F + 3) / 2) + 1,  // of a numerator, signed
+  localparam int unsigned AreaBits = 2 * C
+) (
+  input  logic                  clk_i,
+  input  logic                  rst_ni,
+  input  logic                  clear_i,
+  input  logic [4:0]            texel_bits_i,
+  input  logic                  farthest_i,      // rise is wanted
+  input  logic [2*C+1:0]        product_i,       // signed
+  input  logic                  gradient_x_i,    // product adds to the gradient
+  input  logic                  gradient_y_i,
+  input  logic                  offset_i,        // product adds to the numerator of the edge's start
+  input  logic                  first_i,         // it does not add to what was there
+  input  logic                  less_i,          // it is subtracted
+  input  logic                  high_i,          // it counts 2^(C-1) times
+  input  logic                  start_i,         // gradients are there: begin with the steps
+  input  logic                  offset_ready_i,  // the numerator is there, held until taken
+  output logic                  offset_taken_o,
+  input  logic [AreaBits-1:0]   area_i,          // twice the area, > 0, constant until the last start was taken
+  input  logic [D-1:0]          range_i,         // most - least
+  output logic [G-1:0]          gradient_x_o,
+  output logic [G-1:0]          gradient_y_o,
+  output logic [P-1:0]          x_whole_o,       // steps, valid with the first start
+  output logic [AreaBits-1:0]   x_rest_o,
+  output logic [P-1:0]          y_whole_o,
+  output logic [AreaBits-1:0]   y_rest_o,
+  output logic [D:0]            rise_o,
+  output logic                  start_valid_o,   // of an edge, less its first vertex's depth
+  input  logic                  start_ready_i,
+  output logic [P-1:0]          start_whole_o,
+  output logic [AreaBits-1:0]   start_rest_o
+);
+  // ---- Sums ----
+  logic [G-1:0] gradient_x_q, gradient_y_q, gradient_from, gradient_sum, product_g;
+  logic [P-1:0] offset_q, product_p, product_shifted;
+  assign gradient_x_o    = gradient_x_q;
+  assign gradient_y_o    = gradient_y_q;
+  assign product_g       = product_i[G-1:0] ^ {G{less_i}};
+  assign gradient_from   = first_i ? '0 : gradient_x_i ? gradient_x_q : gradient_y_q;
+  assign gradient_sum    = gradient_from + product_g + G'(less_i);
+  assign product_p       = {{(P-2*C-2){product_i[2*C+1]}}, product_i};
+  assign product_shifted = high_i ? product_p << (C - 1) : product_p;
+  always_ff @(posedge clk_i) begin
+    if (gradient_x_i) gradient_x_q <= gradient_sum;
+    if (gradient_y_i) gradient_y_q <= gradient_sum;
+    if (offset_i) offset_q <= first_i ? product_shifted : offset_q + product_shifted;
+  end
+
+  // ---- Divisions ----
+  localparam logic [1:0] JobX = 2'd0, JobY = 2'd1, JobRise = 2'd2, JobStart = 2'd3;
+  logic         idle_q;  // nothing of a triangle to do
+  logic [1:0]   job_q;
+  logic         issued_q;  // job_q's division is in the divider
+  logic         divide, div_ready, div_valid, div_taken;
+  logic [P-1:0] numerator, quotient, gradient_shifted, steep_shifted;
+  logic [G-1:0] steep_x, steep_y, steep;
+  logic [AreaBits-1:0] rest;
+
+  assign gradient_shifted = P'($signed(job_q == JobX ? gradient_x_q : gradient_y_q)) << texel_bits_i;
+  assign steep_x = gradient_x_q[G-1] ? -gradient_x_q : gradient_x_q;
+  assign steep_y = gradient_y_q[G-1] ? -gradient_y_q : gradient_y_q;
+  assign steep   = steep_x + steep_y;  // below 2^G
+  assign steep_shifted = P'(steep) << (texel_bits_i - 5'd1);
+  always_comb begin
+    case (job_q)
+      JobX, JobY: numerator = gradient_shifted;
+      JobRise:    numerator = steep_shifted;
+      default:    numerator = offset_q;
+    endcase
+  end
+
+  assign divide         = !idle_q && !issued_q && (job_q != JobStart || offset_ready_i);
+  assign offset_taken_o = divide && div_ready && job_q == JobStart;
+  assign start_valid_o  = div_valid && job_q == JobStart;
+  assign div_taken      = job_q != JobStart || start_ready_i;
+  assign start_whole_o  = quotient;
+  assign start_rest_o   = rest;
+  divider #(.NumeratorBits(P), .DivisorBits(AreaBits), .QuotientBits(P), .SkipBits(8)) divider (
+    .clk_i, .rst_ni, .clear_i,
+    .valid_i(divide), .ready_o(div_ready), .numerator_i(numerator), .divisor_i(area_i),
+    .valid_o(div_valid), .ready_i(div_taken), .quotient_o(quotient), .remainder_o(rest)
+  );
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      idle_q   <= 1'b1;
+      issued_q <= 1'b0;
+      job_q    <= JobX;
+    end else if (clear_i) begin
+      idle_q   <= 1'b1;
+      issued_q <= 1'b0;
+      job_q    <= JobX;
+    end else begin
+      if (start_i) begin
+        idle_q <= 1'b0;
+        job_q  <= JobX;
+        `CHECK(divider_free, !issued_q)
+      end else if (div_valid && div_taken) begin
+        job_q <= job_q == JobX ? JobY : job_q == JobY && farthest_i ? JobRise : JobStart;
+      end
+      issued_q <= (divide && div_ready) || (issued_q && !(div_valid && div_taken));
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (div_valid && job_q == JobX) begin
+      x_whole_o <= quotient;
+      x_rest_o  <= rest;
+    end
+    if (div_valid && job_q == JobY) begin
+      y_whole_o <= quotient;
+      y_rest_o  <= rest;
+    end
+    if (div_valid && job_q == JobRise) begin
+      rise_o <= quotient >= P'(range_i) ? {1'b0, range_i} + 1'b1 : quotient[D:0] + 1'b1;
+    end
+  end
+endmodule

@@ -1,0 +1,117 @@
+// Span filler: the texels strictly between a triangle's outlines, with its plane's depth at their centres.
+//
+// Source:  3.3.3. Twin: ShadowUnit::fill_spans in model/unit/shadow_unit_pass1.cpp.
+// Numbers: depths are inside the triangle, so that the plane's whole part modulo 2^DepthBits is the depth.
+// Timing:  one texel a cycle; words leave with their last texel. The plane's ramp is led to the first
+//          texel of a gap from that of the gap before: one texel a cycle, from the row below.
+module span_filler #(
+  localparam int unsigned D = shadow_pkg::DepthBits,
+  localparam int unsigned M = shadow_pkg::MapBits,
+  localparam int unsigned R = shadow_pkg::RowIndexBits,
+  localparam int unsigned AreaBits = 2 * shadow_pkg::CoordBits,
+  localparam int unsigned L = shadow_pkg::TexelsPerWord
+) (
+  input  logic                clk_i,
+  input  logic                rst_ni,
+  input  logic                clear_i,
+  // a texel of the triangle's lowest row, and the plane's ramp there
+  input  logic                anchor_i,
+  input  logic [R-1:0]        anchor_x_i,  // signed
+  input  logic [R-1:0]        anchor_y_i,
+  input  logic [D-1:0]        anchor_whole_i,
+  input  logic [AreaBits-1:0] anchor_rest_i,
+  input  logic                start_i,      // visited_rows begins with the gaps, the first in a later cycle
+  // gaps of visited_rows
+  input  logic                gap_valid_i,
+  output logic                gap_ready_o,
+  input  logic [M-1:0]        gap_y_i,
+  input  logic [M-1:0]        gap_from_i,
+  input  logic [M-1:0]        gap_to_i,
+  // the plane's ramp
+  output logic                load_o,       // from here:
+  output logic [D-1:0]        whole_o,
+  output logic [AreaBits-1:0] rest_o,
+  output logic                move_x_o,     // one of both a cycle
+  output logic                move_y_o,     // upwards
+  output logic                back_o,
+  input  logic [D-1:0]        whole_i,      // where it stands
+  input  logic [AreaBits-1:0] rest_i,
+  // words
+  output logic                word_valid_o,
+  input  logic                ready_i,      // without it nothing moves, whether valid or not
+  output logic [M-1:0]        x_o,
+  output logic [M-1:0]        y_o,
+  output logic [L*D-1:0]      depth_o,      // texel i at i * D
+  output logic [L-1:0]        mask_o
+);
+  localparam int unsigned LaneBits = $clog2(L);
+  logic [R-1:0]        anchor_x_q, anchor_y_q, x_q, y_q, x, y;
+  logic [D-1:0]        anchor_whole_q;
+  logic [AreaBits-1:0] anchor_rest_q;
+  logic                reload_q;   // the ramp is elsewhere: at the anchor is where to go on from
+  logic                in_gap_q;   // in the gap
+  logic [L*D-1:0]      depth_q;
+  logic [L-1:0]        mask_q;
+
+  logic at_row, at_from, in_gap, last, step;
+  logic [LaneBits-1:0] lane;
+  assign x       = reload_q ? anchor_x_q : x_q;
+  assign y       = reload_q ? anchor_y_q : y_q;
+  assign at_row  = y == R'(gap_y_i);
+  assign at_from = at_row && x == R'(gap_from_i);
+  assign in_gap  = gap_valid_i && !reload_q && (in_gap_q || at_from);
+  assign last    = x_q == R'(gap_to_i);
+  assign lane    = x_q[LaneBits-1:0];
+  assign step    = ready_i && gap_valid_i;
+
+  assign load_o   = step && reload_q;
+  assign whole_o  = anchor_whole_q;
+  assign rest_o   = anchor_rest_q;
+  assign move_y_o = step && !in_gap && !at_row;
+  assign move_x_o = step && (in_gap || (at_row && !at_from));
+  assign back_o   = move_x_o && !in_gap && $signed(x) > $signed(R'(gap_from_i));
+
+  assign word_valid_o = in_gap && (last || lane == LaneBits'(L - 1));
+  assign gap_ready_o  = ready_i && in_gap && last;
+  assign x_o = {x_q[M-1:LaneBits], {LaneBits{1'b0}}};
+  assign y_o = y_q[M-1:0];
+  for (genvar i = 0; i < int'(L); i++) begin : g_lane
+    assign depth_o[i*D +: D] = lane == LaneBits'(i) ? whole_i : depth_q[i*D +: D];
+    assign mask_o[i]         = lane == LaneBits'(i) || mask_q[i];
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      in_gap_q <= 1'b0;
+      reload_q <= 1'b0;
+      mask_q   <= '0;
+    end else if (clear_i) begin
+      in_gap_q <= 1'b0;
+      reload_q <= 1'b0;
+      mask_q   <= '0;
+    end else begin
+      if (start_i) reload_q <= 1'b1;
+      else if (step) reload_q <= in_gap && last;
+      if (step) in_gap_q <= in_gap && !last;
+      if (step && in_gap) mask_q <= word_valid_o ? '0 : mask_o;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (anchor_i) begin
+      anchor_x_q     <= anchor_x_i;
+      anchor_y_q     <= anchor_y_i;
+      anchor_whole_q <= anchor_whole_i;
+      anchor_rest_q  <= anchor_rest_i;
+    end else if (step && in_gap && !in_gap_q) begin
+      anchor_x_q     <= x_q;
+      anchor_y_q     <= y_q;
+      anchor_whole_q <= whole_i;
+      anchor_rest_q  <= rest_i;
+    end
+    if (step) begin
+      x_q <= !move_x_o ? x : back_o ? x - 1'b1 : x + 1'b1;
+      y_q <= move_y_o ? y + 1'b1 : y;
+      if (in_gap) depth_q <= depth_o;
+    end
+  end
+endmodule
