@@ -1,0 +1,135 @@
+// Shadow decision: what one SLB record says of a fragment.
+//
+// A cluster comes record by record; what its records before this one found comes with it and goes on with
+// the answer, so that records of many fragments may be mixed.
+// Twins:   model/unit/winding/shadow_unit_pass2.cpp, read_texel (from the clusters on) and inside
+// Numbers: place UQ0.26 texel. The winding sum is exact for lists of up to 2^RecordAddrBits records.
+// Timing:  a record of cycle n is answered in n + 2, one a cycle; no stalls.
+module shadow_decision #(
+  localparam int unsigned WindingBits = shadow_pkg::RecordAddrBits + shadow_pkg::SegmentCountBits + 1,
+  localparam int unsigned ContextBits = WindingBits + 3
+) (
+  input  logic                                  clk_i,
+  input  logic                                  rst_ni,
+  input  logic                                  clear_i,
+  input  logic                                  paper_semantics_i,  // own clusters are passed over
+  // a record and its fragment
+  input  logic                                  valid_i,
+  input  logic [shadow_pkg::SlotBits-1:0]       slot_i,
+  input  logic [shadow_pkg::RecordBits-1:0]     record_i,   // record_t
+  input  logic [ContextBits-1:0]                context_i,  // of the answer before; 0 for a list's first record
+  input  logic [shadow_pkg::MaxFraction-1:0]    x_i,        // in the texel
+  input  logic [shadow_pkg::MaxFraction-1:0]    y_i,
+  input  logic [shadow_pkg::TraceDepthBits-1:0] depth_i,
+  input  logic [shadow_pkg::IdBits-1:0]         object_i,
+  // the answer
+  output logic                                  valid_o,
+  output logic [shadow_pkg::SlotBits-1:0]       slot_o,
+  output logic                                  dark_o,     // decided: dark
+  output logic                                  lit_o,      // decided: lit. Neither: read on at `next_o`
+  output logic [shadow_pkg::RecordAddrBits-1:0] next_o,
+  output logic [ContextBits-1:0]                context_o,
+  output logic                                  begins_o,   // a cluster's first record
+  output logic [shadow_pkg::SegmentCountBits-1:0] count_o   // its segments
+);
+  localparam int unsigned Segments = shadow_pkg::SegmentsPerRecord;
+  localparam int unsigned G = shadow_pkg::EndBits;
+  localparam int unsigned E = shadow_pkg::EndWidth;
+  localparam int unsigned Below = shadow_pkg::MaxFraction - G;
+
+  typedef struct packed {
+    logic                   continues;  // the next record is of the same cluster
+    logic                   shadows;    // the fragment lies beyond the cluster's plane, and it may shadow it
+    logic                   holds;      // the cluster is full, or a segment is near
+    logic [WindingBits-1:0] winding;    // signed
+  } context_t;
+  // What a record's answer needs beside planes and segments.
+  typedef struct packed {
+    logic [shadow_pkg::SlotBits-1:0]         slot;
+    logic                                    other;  // the cluster may shadow the fragment
+    context_t                                past;
+    logic                                    goes_on;
+    logic                                    has_next;
+    logic [shadow_pkg::RecordAddrBits-1:0]   next;
+    logic [shadow_pkg::SegmentCountBits-1:0] count;
+  } meta_t;
+
+  shadow_pkg::record_t record;
+  context_t            context_in, context_out;
+  meta_t               meta0, meta1_q, meta2_q;
+  logic                valid1_q, valid2_q;
+  assign record     = record_i;
+  assign context_in = context_i;
+
+  always_comb begin
+    meta0.slot     = slot_i;
+    meta0.other    = !paper_semantics_i || record.object != object_i;
+    meta0.past   = context_in;
+    if (!context_in.continues) begin
+      meta0.past.holds   = record.full;
+      meta0.past.winding = WindingBits'(record.corner);
+    end
+    meta0.goes_on  = record.goes_on;
+    meta0.has_next = record.has_next;
+    meta0.next     = record.next;
+    meta0.count    = record.count;
+  end
+
+  // ---- The plane and the segments, three cycles -------------------------------------------------
+  logic [E-1:0] x_up, x_down, y_up, y_down;
+  assign x_up   = E'(x_i[Below+:G]) + E'(x_i[Below-1]);
+  assign x_down = E'(x_i[Below+:G]) + E'(x_i[Below-1] && x_i[Below-2:0] != '0);
+  assign y_up   = E'(y_i[Below+:G]) + E'(y_i[Below-1]);
+  assign y_down = E'(y_i[Below+:G]) + E'(y_i[Below-1] && y_i[Below-2:0] != '0);
+
+  logic beyond;
+  threshold plane (
+    .clk_i, .threshold_i(record.threshold), .x_i(x_i[Below+:G]), .y_i(y_i[Below+:G]), .depth_i,
+    .beyond_o(beyond)
+  );
+
+  logic [2*Segments-1:0] windings;
+  logic [Segments-1:0]   nears;
+  for (genvar i = 0; i < int'(Segments); i++) begin : g_segment
+    crossing segment (
+      .clk_i, .valid_i(record.count > shadow_pkg::SegmentCountBits'(i)),
+      .segment_i(record.segments[i*shadow_pkg::SegmentBits+:shadow_pkg::SegmentBits]),
+      .x_i, .y_i, .x_up_i(x_up), .x_down_i(x_down), .y_up_i(y_up), .y_down_i(y_down),
+      .winding_o(windings[2*i+:2]), .near_o(nears[i])
+    );
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      valid1_q <= 1'b0;
+      valid2_q <= 1'b0;
+    end else begin
+      valid1_q <= valid_i && !clear_i;
+      valid2_q <= valid1_q && !clear_i;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    meta1_q <= meta0;
+    meta2_q <= meta1_q;
+  end
+
+  // ---- Together ---------------------------------------------------------------------------------
+  always_comb begin
+    context_out.continues = meta2_q.goes_on;
+    context_out.shadows   = meta2_q.past.continues ? meta2_q.past.shadows : beyond && meta2_q.other;
+    context_out.holds     = meta2_q.past.holds || nears != '0;
+    context_out.winding   = meta2_q.past.winding;
+    for (int i = 0; i < int'(Segments); i++) begin
+      context_out.winding = context_out.winding + WindingBits'($signed(windings[2*i+:2]));
+    end
+  end
+  assign valid_o   = valid2_q;
+  assign slot_o    = meta2_q.slot;
+  assign dark_o    = !meta2_q.goes_on && context_out.shadows &&
+                     (context_out.holds || $signed(context_out.winding) > 0);
+  assign lit_o     = !meta2_q.goes_on && !meta2_q.has_next && !dark_o;
+  assign next_o    = meta2_q.next;
+  assign context_o = context_out;
+  assign begins_o  = !meta2_q.past.continues;
+  assign count_o   = meta2_q.count;
+endmodule
