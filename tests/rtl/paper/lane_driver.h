@@ -69,15 +69,15 @@ class LaneDriver {
       dut_.texel_rd_ready_i = texels.read_ready();
       dut_.slb_rd_ready_i = records.read_ready();
       dut_.texel_rsp_valid_i = texels.response().valid;
-      dut_.texel_rsp_tag_i = static_cast<CData>(texels.response().tag);
+      to_port(dut_.texel_rsp_tag_i, Word{texels.response().tag});
       to_port(dut_.texel_rsp_data_i, texels.response().data);
       dut_.slb_rsp_valid_i = records.response().valid;
-      dut_.slb_rsp_tag_i = static_cast<CData>(records.response().tag);
+      to_port(dut_.slb_rsp_tag_i, Word{records.response().tag});
       to_port(dut_.slb_rsp_data_i, records.response().data);
       dut_.eval();
 
-      const std::uint64_t texel_now = std::uint64_t{dut_.texel_rd_addr_o} << 8 | dut_.texel_rd_tag_o;
-      const std::uint64_t slb_now = std::uint64_t{dut_.slb_rd_addr_o} << 8 | dut_.slb_rd_tag_o;
+      const std::uint64_t texel_now = std::uint64_t{dut_.texel_rd_addr_o} << 16 | dut_.texel_rd_tag_o;
+      const std::uint64_t slb_now = std::uint64_t{dut_.slb_rd_addr_o} << 16 | dut_.slb_rd_tag_o;
       if ((held_texel && !(dut_.texel_rd_valid_o && texel_now == texel_read)) ||
           (held_slb && !(dut_.slb_rd_valid_o && slb_now == slb_read)) ||
           (held_verdict && !(dut_.verdict_valid_o && dut_.verdict_o == verdict))) {
