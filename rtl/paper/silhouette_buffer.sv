@@ -195,7 +195,7 @@ module silhouette_buffer (
     .set_more_i(set_more), .has_more_i(more_has), .more_i(more_addr),
     .set_nearest_i(set_nearest), .set_corner_i(set_corner && visit_i.corner), .set_vertex_i(set_vertex),
     .append_i(append), .line_i(visit_i.line),
-    .remove_i(remove), .from_i(from_first | {shadow_pkg::LinesPerRecord{gap_q}}), .refill_i(refill), .last_i(lifted_q),
+    .remove_i(remove), .from_i(from_first | {shadow_pkg::LinesPerRecord{gap_q && state_q != Begin}}), .refill_i(refill), .last_i(lifted_q),
     .record_o(new_record)
   );
 

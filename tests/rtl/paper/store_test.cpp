@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <sstream>
 
 #include "Vstore_test_dut.h"
 #include "model/frame_setup.h"
@@ -42,6 +43,17 @@ UnitConfig random_capacities(std::mt19937_64& random, UnitConfig config) {
   return config;
 }
 
+std::string in_words(const TexelEntry& entry) {
+  std::ostringstream out;
+  out << "texel " << entry.texel_x << ',' << entry.texel_y << " object " << entry.object
+      << " nearest " << entry.nearest << " vertex " << entry.vertex;
+  for (const LineRecord& l : entry.lines) {
+    out << " | " << l.polygon << ' ' << l.fraction << ' ' << l.slope << ' ' << l.left << l.cross
+        << l.x_major << l.x_positive << l.start_here << l.end_here;
+  }
+  return out.str();
+}
+
 /// The store against golden on the same casters: buffers, SLB, counters.
 void compare(Bench& bench, const UnitConfig& config, const FrameSetup& setup,
              const std::vector<Caster>& casters, unsigned offer_percent, const std::string& name) {
@@ -63,7 +75,7 @@ void compare(Bench& bench, const UnitConfig& config, const FrameSetup& setup,
   ASSERT_EQ(got.entries.size(), expected.entries.size());
   for (std::size_t i = 0; i < got.entries.size(); ++i) {
     const TexelEntry &a = got.entries[i], &b = expected.entries[i];
-    ASSERT_TRUE(a == b) << "entry " << i << " of texel " << b.texel_x << ", " << b.texel_y;
+    ASSERT_TRUE(a == b) << "entry " << i << "\nis       " << in_words(a) << "\nis to be " << in_words(b);
   }
   const UnitCounters c = golden->counters();
   EXPECT_EQ(counts.stored, c.lines_stored);
@@ -112,7 +124,7 @@ TEST(Store, EqualsGoldenOnSoupsAtTightCapacities) { soups(100, 103, 40, true); }
 TEST(Store, EqualsGoldenOnSolids) {
   for (unsigned seed = 1; seed <= 40; ++seed) {
     std::mt19937_64 random(seed);
-    const int side = 8 << random() % 4;
+    const int side = 16 << random() % 3;
     UnitConfig config = random_policies(random, small_config(side));
     config.slb_buckets = 64;
     if (seed % 2) config = random_capacities(random, config);
