@@ -90,7 +90,7 @@ module shadow_decision #(
 
   logic [2*Segments-1:0] windings;
   logic [Segments-1:0]   nears;
-  for (genvar i = 0; i < int'(Segments); i++) begin : g_segment
+  for (genvar i = 0; i < Segments; i++) begin : g_segment
     crossing segment (
       .clk_i, .valid_i(record.count > shadow_pkg::SegmentCountBits'(i)),
       .segment_i(record.segments[i*shadow_pkg::SegmentBits+:shadow_pkg::SegmentBits]),
@@ -119,7 +119,7 @@ module shadow_decision #(
     context_out.shadows   = meta2_q.past.continues ? meta2_q.past.shadows : beyond && meta2_q.other;
     context_out.holds     = meta2_q.past.holds || nears != '0;
     context_out.winding   = meta2_q.past.winding;
-    for (int i = 0; i < int'(Segments); i++) begin
+    for (int unsigned i = 0; i < Segments; i++) begin
       context_out.winding = context_out.winding + WindingBits'($signed(windings[2*i+:2]));
     end
   end
