@@ -10,9 +10,7 @@ module edge_geometry (
   input  logic [shadow_pkg::MapBits:0]        map_height_i,
   input  shadow_pkg::point_t                  a_i,  // the edge is a to b
   input  shadow_pkg::point_t                  b_i,
-  input  shadow_pkg::point_t                  opposite_i,
   output logic                                swap_o,        // it goes from b to a
-  output logic                                lowest_o,      // it starts in the triangle's first vertex in its own order
   output logic                                x_major_o,
   output logic                                x_positive_o,
   output logic [shadow_pkg::RowIndexBits-1:0] first_x_o,     // signed, as the next three
@@ -34,12 +32,10 @@ module edge_geometry (
   localparam int unsigned D = shadow_pkg::DepthBits;
 
   // Places in the order of an edge's direction.
-  logic [2*C-1:0] a_order, b_order, opposite_order;
+  logic [2*C-1:0] a_order, b_order;
   assign a_order        = {!a_i.y[C-1], a_i.y[C-2:0], !a_i.x[C-1], a_i.x[C-2:0]};
   assign b_order        = {!b_i.y[C-1], b_i.y[C-2:0], !b_i.x[C-1], b_i.x[C-2:0]};
-  assign opposite_order = {!opposite_i.y[C-1], opposite_i.y[C-2:0], !opposite_i.x[C-1], opposite_i.x[C-2:0]};
   assign swap_o   = b_order < a_order;
-  assign lowest_o = (swap_o ? b_order : a_order) < opposite_order;
 
   logic signed [C-1:0] from_x, from_y, to_x, to_y;
   assign from_x = swap_o ? b_i.x : a_i.x;
@@ -93,5 +89,5 @@ module edge_geometry (
   assign start_y_o    = y_in;
 
   logic unused;
-  assign unused = &{1'b0, a_i.z, b_i.z, opposite_i.z, map_width_i[0], map_height_i[0]};
+  assign unused = &{1'b0, a_i.z, b_i.z, map_width_i[0], map_height_i[0]};
 endmodule

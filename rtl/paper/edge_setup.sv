@@ -41,7 +41,6 @@ module edge_setup #(
   output logic [D-1:0]                most_o,
   output logic [D:0]                  rise_bound_o,
   // of the edge: see edge_geometry
-  output logic                        lowest_o,
   output logic                        left_o,
   output logic                        x_major_o,
   output logic                        x_positive_o,
@@ -117,7 +116,7 @@ module edge_setup #(
   end
 
   // ---- Triangle ----
-  shadow_pkg::point_t a, b, opposite;
+  shadow_pkg::point_t a, b;
   logic [D-1:0] z0, z1, z2, low01, high01;
   logic [E-1:0] dx0, dx1, dx2, dy0, dy1, dy2;
   logic [D:0]   dz0, dz2;
@@ -141,9 +140,9 @@ module edge_setup #(
 
   always_comb begin
     case (edge_q)
-      2'd0:    {a, b, opposite} = {tri_i.v0, tri_i.v1, tri_i.v2};
-      2'd1:    {a, b, opposite} = {tri_i.v1, tri_i.v2, tri_i.v0};
-      default: {a, b, opposite} = {tri_i.v2, tri_i.v0, tri_i.v1};
+      2'd0:    {a, b} = {tri_i.v0, tri_i.v1};
+      2'd1:    {a, b} = {tri_i.v1, tri_i.v2};
+      default: {a, b} = {tri_i.v2, tri_i.v0};
     endcase
   end
 
@@ -154,8 +153,8 @@ module edge_setup #(
   logic [D:0]   dz;
   edge_geometry geometry (
     .texel_bits_i(settings_i.texel_bits), .map_width_i(settings_i.map_width), .map_height_i(settings_i.map_height),
-    .a_i(a), .b_i(b), .opposite_i(opposite),
-    .swap_o(swap), .lowest_o, .x_major_o, .x_positive_o,
+    .a_i(a), .b_i(b),
+    .swap_o(swap), .x_major_o, .x_positive_o,
     .first_x_o, .first_y_o, .last_x_o, .last_y_o, .start_x_o(start_x), .start_y_o(start_y),
     .into_major_o(into_major), .into_minor_o(into_minor), .length_o(length), .rise_o(rise),
     .first_depth_o, .last_depth_o

@@ -40,7 +40,7 @@ module front (
   logic [P-1:0]            plane_x_whole, plane_y_whole, plane_whole;
   logic [D-1:0]            least, most, first_depth, last_depth;
   logic [D:0]              rise_bound;
-  logic                    lowest, left, x_major, x_positive;
+  logic                    left, x_major, x_positive;
   logic [R-1:0]            first_x, first_y, last_x, last_y;
   logic [C-1:0]            length, rise, minor_rest, minor_step_rest;
   logic [F+2:0]            minor_whole;
@@ -56,7 +56,7 @@ module front (
     .plane_x_whole_o(plane_x_whole), .plane_x_rest_o(plane_x_rest),
     .plane_y_whole_o(plane_y_whole), .plane_y_rest_o(plane_y_rest),
     .least_o(least), .most_o(most), .rise_bound_o(rise_bound),
-    .lowest_o(lowest), .left_o(left), .x_major_o(x_major), .x_positive_o(x_positive),
+    .left_o(left), .x_major_o(x_major), .x_positive_o(x_positive),
     .first_x_o(first_x), .first_y_o(first_y), .last_x_o(last_x), .last_y_o(last_y),
     .length_o(length), .rise_o(rise), .minor_whole_o(minor_whole), .minor_rest_o(minor_rest),
     .minor_step_whole_o(minor_step_whole), .minor_step_rest_o(minor_step_rest),
@@ -161,8 +161,9 @@ module front (
   // ---- Spans ----
   logic                gap_valid, gap_ready, word_valid, fill_load, fill_x, fill_y, fill_back;
   logic [M-1:0]        gap_y, gap_from, gap_to, word_x, word_y;
-  logic [D-1:0]        fill_whole;
-  logic [AreaBits-1:0] fill_rest, ramp_rest;
+  logic                fill_two, by_two;
+  logic [D-1:0]        fill_whole, next_whole, two_whole_q;
+  logic [AreaBits-1:0] fill_rest, ramp_rest, next_rest, two_rest_q;
   logic [P-1:0]        ramp_whole;
   logic [L*D-1:0]      word_depth;
   logic [L-1:0]        word_mask;
@@ -175,20 +176,35 @@ module front (
     .gap_to_o(gap_to), .gaps_busy_o(gaps_busy)
   );
   span_filler filler (
-    .clk_i, .rst_ni, .clear_i, .anchor_i(take && lowest), .anchor_x_i(first_x), .anchor_y_i(first_y),
+    .clk_i, .rst_ni, .clear_i, .anchor_i(take), .first_i(begins), .anchor_x_i(first_x), .anchor_y_i(first_y),
     .anchor_whole_i(plane_whole[D-1:0]), .anchor_rest_i(plane_rest), .start_i(edges_done),
     .gap_valid_i(gap_valid), .gap_ready_o(gap_ready), .gap_y_i(gap_y), .gap_from_i(gap_from), .gap_to_i(gap_to),
     .load_o(fill_load), .whole_o(fill_whole), .rest_o(fill_rest), .move_x_o(fill_x), .move_y_o(fill_y),
-    .back_o(fill_back), .whole_i(ramp_whole[D-1:0]), .rest_i(ramp_rest),
+    .back_o(fill_back), .two_o(fill_two), .next_whole_i(next_whole), .whole_i(ramp_whole[D-1:0]), .rest_i(ramp_rest),
     .word_valid_o(word_valid), .ready_i(advance), .x_o(word_x), .y_o(word_y), .depth_o(word_depth), .mask_o(word_mask)
   );
+  assign by_two = phase_q == Spans && fill_two;
   plane_ramp #(.WholeBits(P), .RestBits(AreaBits)) ramp (
     .clk_i, .load_i(take || fill_load), .whole_i(fill_load ? P'(fill_whole) : plane_whole),
     .rest_i(fill_load ? fill_rest : plane_rest),
     .move_x_i((walk_x && !take) || fill_x), .move_y_i(walk_y || fill_y), .back_i(walk_x ? walk_back : fill_back),
-    .x_whole_i(plane_x_whole_q), .x_rest_i(plane_x_rest_q), .y_whole_i(plane_y_whole_q), .y_rest_i(plane_y_rest_q),
+    .x_whole_i(by_two ? P'(two_whole_q) : plane_x_whole_q), .x_rest_i(by_two ? two_rest_q : plane_x_rest_q),
+    .y_whole_i(plane_y_whole_q), .y_rest_i(plane_y_rest_q),
     .base_i(area_q), .whole_o(ramp_whole), .rest_o(ramp_rest)
   );
+  // The neighbour along x, in spans; before them, twice the step along x.
+  exact_step #(.WholeBits(D), .RestBits(AreaBits)) next_step (
+    .whole_i(phase_q == Spans ? ramp_whole[D-1:0] : plane_x_whole_q[D-1:0]),
+    .rest_i(phase_q == Spans ? ramp_rest : plane_x_rest_q),
+    .step_whole_i(plane_x_whole_q[D-1:0]), .step_rest_i(plane_x_rest_q), .base_i(area_q),
+    .whole_o(next_whole), .rest_o(next_rest)
+  );
+  always_ff @(posedge clk_i) begin
+    if (phase_q == Edges) begin
+      two_whole_q <= next_whole;
+      two_rest_q  <= next_rest;
+    end
+  end
   logic [D-1:0] centre;  // the plane's depth, clamped to the triangle's
   assign centre = $signed(ramp_whole) < $signed(P'(least_q)) ? least_q
                 : $signed(ramp_whole) > $signed(P'(tri_q.most)) ? tri_q.most : ramp_whole[D-1:0];

@@ -2,7 +2,7 @@
 //
 // Source:  3.3.3. Twin: ShadowUnit::fill_spans in model/unit/shadow_unit_pass1.cpp.
 // Numbers: depths are inside the triangle, so that the plane's whole part modulo 2^DepthBits is the depth.
-// Timing:  one texel a cycle; words leave with their last texel. The plane's ramp is led to the first
+// Timing:  two texels a cycle; words leave with their last texel. The plane's ramp is led to the first
 //          texel of a gap from that of the gap before: one texel a cycle, from the row below.
 module span_filler #(
   localparam int unsigned D = shadow_pkg::DepthBits,
@@ -14,8 +14,9 @@ module span_filler #(
   input  logic                clk_i,
   input  logic                rst_ni,
   input  logic                clear_i,
-  // a texel of the triangle's lowest row, and the plane's ramp there
+  // an edge's first texel, and the plane's ramp there; the lowest one is gone on from
   input  logic                anchor_i,
+  input  logic                first_i,     // of the triangle's first edge
   input  logic [R-1:0]        anchor_x_i,  // signed
   input  logic [R-1:0]        anchor_y_i,
   input  logic [D-1:0]        anchor_whole_i,
@@ -34,6 +35,8 @@ module span_filler #(
   output logic                move_x_o,     // one of both a cycle
   output logic                move_y_o,     // upwards
   output logic                back_o,
+  output logic                two_o,        // along x by two
+  input  logic [D-1:0]        next_whole_i, // one texel further along x
   input  logic [D-1:0]        whole_i,      // where it stands
   input  logic [AreaBits-1:0] rest_i,
   // words
@@ -53,14 +56,16 @@ module span_filler #(
   logic [L*D-1:0]      depth_q;
   logic [L-1:0]        mask_q;
 
-  logic at_row, at_from, in_gap, last, step;
+  logic at_row, at_from, at_to, in_gap, last, pair, step;
   logic [LaneBits-1:0] lane;
   assign x       = reload_q ? anchor_x_q : x_q;
   assign y       = reload_q ? anchor_y_q : y_q;
   assign at_row  = y == R'(gap_y_i);
   assign at_from = at_row && x == R'(gap_from_i);
   assign in_gap  = gap_valid_i && !reload_q && (in_gap_q || at_from);
-  assign last    = x_q == R'(gap_to_i);
+  assign pair    = !x_q[0] && !at_to;  // both texels of an even and an odd column
+  assign at_to   = x_q == R'(gap_to_i);
+  assign last    = at_to || (pair && {x_q[R-1:1], 1'b1} == R'(gap_to_i));
   assign lane    = x_q[LaneBits-1:0];
   assign step    = ready_i && gap_valid_i;
 
@@ -69,15 +74,19 @@ module span_filler #(
   assign rest_o   = anchor_rest_q;
   assign move_y_o = step && !in_gap && !at_row;
   assign move_x_o = step && (in_gap || (at_row && !at_from));
+  assign two_o    = in_gap && pair;
   assign back_o   = move_x_o && !in_gap && $signed(x) > $signed(R'(gap_from_i));
 
-  assign word_valid_o = in_gap && (last || lane == LaneBits'(L - 1));
+  assign word_valid_o = in_gap && (last || (lane | LaneBits'(pair)) == LaneBits'(L - 1));
   assign gap_ready_o  = ready_i && in_gap && last;
   assign x_o = {x_q[M-1:LaneBits], {LaneBits{1'b0}}};
   assign y_o = y_q[M-1:0];
-  for (genvar i = 0; i < int'(L); i++) begin : g_lane
-    assign depth_o[i*D +: D] = lane == LaneBits'(i) ? whole_i : depth_q[i*D +: D];
-    assign mask_o[i]         = lane == LaneBits'(i) || mask_q[i];
+  for (genvar i = 0; i < L; i++) begin : g_lane
+    logic here, next;
+    assign here = lane == LaneBits'(i);
+    assign next = pair && (lane | LaneBits'(1)) == LaneBits'(i);
+    assign depth_o[i*D +: D] = here ? whole_i : next ? next_whole_i : depth_q[i*D +: D];
+    assign mask_o[i]         = here || next || mask_q[i];
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -97,7 +106,7 @@ module span_filler #(
     end
   end
   always_ff @(posedge clk_i) begin
-    if (anchor_i) begin
+    if (anchor_i && (first_i || $signed(anchor_y_i) < $signed(anchor_y_q))) begin
       anchor_x_q     <= anchor_x_i;
       anchor_y_q     <= anchor_y_i;
       anchor_whole_q <= anchor_whole_i;
@@ -109,7 +118,7 @@ module span_filler #(
       anchor_rest_q  <= rest_i;
     end
     if (step) begin
-      x_q <= !move_x_o ? x : back_o ? x - 1'b1 : x + 1'b1;
+      x_q <= !move_x_o ? x : back_o ? x - 1'b1 : x + (two_o ? R'(2) : R'(1));
       y_q <= move_y_o ? y + 1'b1 : y;
       if (in_gap) depth_q <= depth_o;
     end
