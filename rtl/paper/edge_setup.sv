@@ -78,10 +78,11 @@ module edge_setup #(
   // Steps issue products; what they are is there two steps later.
   localparam logic [4:0] PcGradients = 5'd0;   // 0, 1: area; 2, 3: gradient x; 4, 5: y
   localparam logic [4:0] PcEdge      = 5'd8;   // length and rise go to their registers
-  localparam logic [4:0] PcRamps     = 5'd9;   // 9: minor; 10, 11: depth along major, minor
-  localparam logic [4:0] PcOffset    = 5'd12;  // 12 to 15: start of the plane
-  localparam logic [4:0] PcCorners   = 5'd16;  // 16 to 21: corner functions
-  localparam logic [4:0] PcWait      = 5'd25;  // until the edge is taken
+  localparam logic [4:0] PcSteps     = 5'd9;   // the ramps' steps go to their dividers
+  localparam logic [4:0] PcOffset    = 5'd10;  // 10 to 13: start of the plane
+  localparam logic [4:0] PcCorners   = 5'd14;  // 14 to 19: corner functions
+  localparam logic [4:0] PcRamps     = 5'd23;  // 23: offset of minor; 24, 25: of depth along major, minor
+  localparam logic [4:0] PcWait      = 5'd28;  // until the edge is taken
   logic [4:0] pc_q;
   logic [1:0] edge_q;
   logic       run, flat, last_taken;
@@ -189,19 +190,19 @@ module edge_setup #(
       5'd3:    begin factor_a = E'($signed(dz0)); factor_b = dy2; end
       5'd4:    begin factor_a = E'($signed(dz0)); factor_b = dx2; end
       5'd5:    begin factor_a = E'($signed(dz2)); factor_b = dx0; end
-      5'd9:    begin factor_a = E'(rise_q); factor_b = E'(into_major); end
-      5'd10:   begin factor_a = E'($signed(dz)); factor_b = E'(to_major); end
-      5'd11:   begin factor_a = E'($signed(dz)); factor_b = E'(to_minor); end
-      5'd12:   begin factor_a = E'($signed(gradient_x[GradientBits-1:C-1])); factor_b = E'($signed(centre_x)); end
-      5'd13:   begin factor_a = E'(gradient_x[C-2:0]); factor_b = E'($signed(centre_x)); end
-      5'd14:   begin factor_a = E'($signed(gradient_y[GradientBits-1:C-1])); factor_b = E'($signed(centre_y)); end
-      5'd15:   begin factor_a = E'(gradient_y[C-2:0]); factor_b = E'($signed(centre_y)); end
-      5'd16:   begin factor_a = dy0; factor_b = E'(start_x); end
-      5'd17:   begin factor_a = dx0; factor_b = E'(start_y); end
-      5'd18:   begin factor_a = dy1; factor_b = E'(start_x); end
-      5'd19:   begin factor_a = dx1; factor_b = E'(start_y); end
-      5'd20:   begin factor_a = dy2; factor_b = E'(start_x); end
-      default: begin factor_a = dx2; factor_b = E'(start_y); end
+      5'd10:   begin factor_a = E'($signed(gradient_x[GradientBits-1:C-1])); factor_b = E'($signed(centre_x)); end
+      5'd11:   begin factor_a = E'(gradient_x[C-2:0]); factor_b = E'($signed(centre_x)); end
+      5'd12:   begin factor_a = E'($signed(gradient_y[GradientBits-1:C-1])); factor_b = E'($signed(centre_y)); end
+      5'd13:   begin factor_a = E'(gradient_y[C-2:0]); factor_b = E'($signed(centre_y)); end
+      5'd14:   begin factor_a = dy0; factor_b = E'(start_x); end
+      5'd15:   begin factor_a = dx0; factor_b = E'(start_y); end
+      5'd16:   begin factor_a = dy1; factor_b = E'(start_x); end
+      5'd17:   begin factor_a = dx1; factor_b = E'(start_y); end
+      5'd18:   begin factor_a = dy2; factor_b = E'(start_x); end
+      5'd19:   begin factor_a = dx2; factor_b = E'(start_y); end
+      5'd23:   begin factor_a = E'(rise_q); factor_b = E'(into_major); end
+      5'd24:   begin factor_a = E'($signed(dz)); factor_b = E'(to_major); end
+      default: begin factor_a = E'($signed(dz)); factor_b = E'(to_minor); end
     endcase
   end
 
@@ -212,7 +213,7 @@ module edge_setup #(
   logic           clockwise_q, clockwise, sum_first, sum_less;
   logic [1:0]     start_vertex, corner;
   logic           corner_opposite;
-  assign corner          = pc_q == 5'd18 ? 2'd0 : pc_q == 5'd20 ? 2'd1 : 2'd2;  // function of a first product
+  assign corner          = pc_q == PcCorners + 5'd2 ? 2'd0 : pc_q == PcCorners + 5'd4 ? 2'd1 : 2'd2;  // function of a first product
   assign start_vertex    = swap ? (edge_q == 2'd2 ? 2'd0 : edge_q + 1'b1) : edge_q;
   assign corner_opposite = corner == (start_vertex == 2'd2 ? 2'd0 : start_vertex + 1'b1);
   assign signed_area     = clockwise_q ? -{2'b0, area_q} : {2'b0, area_q};
@@ -262,54 +263,63 @@ module edge_setup #(
     else begin
       offset_full_q <= pc_q == PcOffset + 5'd5 || (offset_full_q && !offset_taken);
       `CHECK(triangle_stays, run || pc_q == '0)
-      `CHECK(dividers_free, pc_q != PcRamps || (ramp_ready == '1 && !offset_full_q))
+      `CHECK(dividers_free, (ramp_start & ~ramp_ready) == '0 && (pc_q != PcOffset || !offset_full_q))
     end
   end
 
   // ---- Ramps ----
-  logic [5:0]   ramp_valid, ramp_ready;
-  logic [F+2:0] minor_offset, minor_step;
-  logic [Q-1:0] major_offset, major_step, minor_depth_offset, minor_depth_step;
+  // A divider each for the minor coordinate, depth along major and along minor: first the step, which
+  // goes to its registers, then the offset, which stays in the divider.
+  logic [2:0]   ramp_valid, ramp_ready, ramp_start, ramp_taken;
+  logic         steps, steps_kept;  // steps: now; kept: all are in their registers
+  logic [F+2:0] minor_quotient;
+  logic [Q-1:0] major_quotient, minor_depth_quotient;
   logic [C-1:0] rise_divisor;
-  logic         taken, begin_steps;
-  logic [N-1:0] depth_step;
-  assign taken        = edge_valid_o && edge_ready_i;
-  assign begin_steps  = pc_q == PcRamps;
-  assign rise_divisor = rise_q == '0 ? C'(1) : rise_q;  // nothing moves along the minor axis
-  assign depth_step   = N'($signed(dz)) << settings_i.texel_bits;
-  divider #(.NumeratorBits(C+F+1), .DivisorBits(C), .QuotientBits(F+3)) minor_offset_divider (
-    .clk_i, .rst_ni, .clear_i, .valid_i(pc_q == PcRamps + 5'd2), .ready_o(ramp_ready[0]),
-    .numerator_i(-product[C+F:0]), .divisor_i(length_q),
-    .valid_o(ramp_valid[0]), .ready_i(taken), .quotient_o(minor_offset), .remainder_o(minor_rest_o));
-  divider #(.NumeratorBits(C+F+1), .DivisorBits(C), .QuotientBits(F+3)) minor_step_divider (
-    .clk_i, .rst_ni, .clear_i, .valid_i(begin_steps), .ready_o(ramp_ready[1]),
-    .numerator_i({1'b0, (C+F)'(rise_q)} << settings_i.texel_bits), .divisor_i(length_q),
-    .valid_o(ramp_valid[1]), .ready_i(taken), .quotient_o(minor_step), .remainder_o(minor_step_rest_o));
-  divider #(.NumeratorBits(N), .DivisorBits(C), .QuotientBits(Q)) major_offset_divider (
-    .clk_i, .rst_ni, .clear_i, .valid_i(pc_q == PcRamps + 5'd3), .ready_o(ramp_ready[2]),
-    .numerator_i(product[N-1:0]), .divisor_i(length_q),
-    .valid_o(ramp_valid[2]), .ready_i(taken), .quotient_o(major_offset), .remainder_o(major_depth_rest_o));
-  divider #(.NumeratorBits(N), .DivisorBits(C), .QuotientBits(Q)) major_step_divider (
-    .clk_i, .rst_ni, .clear_i, .valid_i(begin_steps), .ready_o(ramp_ready[3]),
-    .numerator_i(depth_step), .divisor_i(length_q),
-    .valid_o(ramp_valid[3]), .ready_i(taken), .quotient_o(major_step), .remainder_o(major_depth_step_rest_o));
-  divider #(.NumeratorBits(N), .DivisorBits(C), .QuotientBits(Q)) minor_depth_offset_divider (
-    .clk_i, .rst_ni, .clear_i, .valid_i(pc_q == PcRamps + 5'd4), .ready_o(ramp_ready[4]),
-    .numerator_i(product[N-1:0]), .divisor_i(rise_divisor),
-    .valid_o(ramp_valid[4]), .ready_i(taken), .quotient_o(minor_depth_offset), .remainder_o(minor_depth_rest_o));
-  divider #(.NumeratorBits(N), .DivisorBits(C), .QuotientBits(Q)) minor_depth_step_divider (
-    .clk_i, .rst_ni, .clear_i, .valid_i(begin_steps), .ready_o(ramp_ready[5]),
-    .numerator_i(depth_step), .divisor_i(rise_divisor),
-    .valid_o(ramp_valid[5]), .ready_i(taken), .quotient_o(minor_depth_step), .remainder_o(minor_depth_step_rest_o));
-  assign minor_whole_o            = minor_offset + (F + 3)'(into_minor);
-  assign minor_step_whole_o       = minor_step[F+1:0];
-  assign major_depth_whole_o      = major_offset[D:0] + {1'b0, first_depth_o};
-  assign major_depth_step_whole_o = major_step[D:0];
-  assign minor_depth_whole_o      = minor_depth_offset[D:0] + {1'b0, first_depth_o};
-  assign minor_depth_step_whole_o = minor_depth_step[D:0];
+  logic [N-1:0] depth_numerator;
+  assign steps           = pc_q == PcSteps;
+  assign rise_divisor    = rise_q == '0 ? C'(1) : rise_q;  // nothing moves along the minor axis
+  assign depth_numerator = steps ? N'($signed(dz)) << settings_i.texel_bits : product[N-1:0];
+  for (genvar i = 0; i < 3; i++) begin : g_ramp
+    assign ramp_start[i] = steps || pc_q == PcRamps + 5'd2 + 5'(i);
+    assign ramp_taken[i] = edge_valid_o ? edge_ready_i : !steps_kept;
+  end
+  divider #(.NumeratorBits(C+F+1), .DivisorBits(C), .QuotientBits(F+3)) minor_divider (
+    .clk_i, .rst_ni, .clear_i, .valid_i(ramp_start[0]), .ready_o(ramp_ready[0]),
+    .numerator_i(steps ? {1'b0, (C+F)'(rise_q)} << settings_i.texel_bits : -product[C+F:0]), .divisor_i(length_q),
+    .valid_o(ramp_valid[0]), .ready_i(ramp_taken[0]), .quotient_o(minor_quotient), .remainder_o(minor_rest_o));
+  divider #(.NumeratorBits(N), .DivisorBits(C), .QuotientBits(Q)) major_divider (
+    .clk_i, .rst_ni, .clear_i, .valid_i(ramp_start[1]), .ready_o(ramp_ready[1]),
+    .numerator_i(depth_numerator), .divisor_i(length_q),
+    .valid_o(ramp_valid[1]), .ready_i(ramp_taken[1]), .quotient_o(major_quotient), .remainder_o(major_depth_rest_o));
+  divider #(.NumeratorBits(N), .DivisorBits(C), .QuotientBits(Q)) minor_depth_divider (
+    .clk_i, .rst_ni, .clear_i, .valid_i(ramp_start[2]), .ready_o(ramp_ready[2]),
+    .numerator_i(depth_numerator), .divisor_i(rise_divisor),
+    .valid_o(ramp_valid[2]), .ready_i(ramp_taken[2]), .quotient_o(minor_depth_quotient),
+    .remainder_o(minor_depth_rest_o));
+  // Steps are done after at most 1 + (F + 2) / 2 cycles, before PcRamps + 2.
+  assign steps_kept = pc_q >= PcRamps + 5'd2;
+  always_ff @(posedge clk_i) begin
+    if (!steps_kept) begin
+      if (ramp_valid[0]) begin
+        minor_step_whole_o <= minor_quotient[F+1:0];
+        minor_step_rest_o  <= minor_rest_o;
+      end
+      if (ramp_valid[1]) begin
+        major_depth_step_whole_o <= major_quotient[D:0];
+        major_depth_step_rest_o  <= major_depth_rest_o;
+      end
+      if (ramp_valid[2]) begin
+        minor_depth_step_whole_o <= minor_depth_quotient[D:0];
+        minor_depth_step_rest_o  <= minor_depth_rest_o;
+      end
+    end
+  end
+  assign minor_whole_o            = minor_quotient + (F + 3)'(into_minor);
+  assign major_depth_whole_o      = major_quotient[D:0] + {1'b0, first_depth_o};
+  assign minor_depth_whole_o      = minor_depth_quotient[D:0] + {1'b0, first_depth_o};
 
-  assign edge_valid_o = pc_q == PcWait && ramp_valid == 6'b111111 && plane_valid;
+  assign edge_valid_o = pc_q == PcWait && ramp_valid == 3'b111 && plane_valid;
 
   logic unused;
-  assign unused = &{1'b0, minor_step[F+2], tri_i, settings_i};
+  assign unused = &{1'b0, tri_i, settings_i};
 endmodule

@@ -4,8 +4,8 @@
 // Twin:    Polygon::make_plane, centre_ramp and farthest in model/unit/span_filler.cpp.
 // Numbers: the gradients' and the area's signs are inverted together where the area is negative.
 //          |gradient| < 2^(D+C+1) and |offset| <= 2^f - so numerators are below 2^(D+C+F+2).
-// Timing:  products come as edge_setup's program says. One divider does, in turn: step along x, along y,
-//          (rise,) then a start for each edge.
+// Timing:  products come as edge_setup's program says. One divider does, in turn: (rise,) step along x,
+//          along y, then a start for each edge.
 `include "check.svh"
 module plane_setup #(
   localparam int unsigned D = shadow_pkg::DepthBits,
@@ -45,19 +45,25 @@ module plane_setup #(
   output logic [AreaBits-1:0]   start_rest_o
 );
   // ---- Sums ----
-  logic [G-1:0] gradient_x_q, gradient_y_q, gradient_from, gradient_sum, product_g;
-  logic [P-1:0] offset_q, product_p, product_shifted;
-  assign gradient_x_o    = gradient_x_q;
-  assign gradient_y_o    = gradient_y_q;
-  assign product_g       = product_i[G-1:0] ^ {G{less_i}};
-  assign gradient_from   = first_i ? '0 : gradient_x_i ? gradient_x_q : gradient_y_q;
-  assign gradient_sum    = gradient_from + product_g + G'(less_i);
-  assign product_p       = {{(P-2*C-2){product_i[2*C+1]}}, product_i};
-  assign product_shifted = high_i ? product_p << (C - 1) : product_p;
+  // The numerator's register adds up |gradient x| + |gradient y| too, for the rise.
+  logic [G-1:0] gradient_x_q, gradient_y_q, gradient_from, gradient_sum, product_g, steep;
+  logic [P-1:0] offset_q, offset_from, offset_more, product_p;
+  logic         steep_x, steep_y_q, steep_less;
+  assign gradient_x_o  = gradient_x_q;
+  assign gradient_y_o  = gradient_y_q;
+  assign product_g     = product_i[G-1:0] ^ {G{less_i}};
+  assign gradient_from = first_i ? '0 : gradient_x_i ? gradient_x_q : gradient_y_q;
+  assign gradient_sum  = gradient_from + product_g + G'(less_i);
+  assign steep_x       = start_i && farthest_i;
+  assign steep         = steep_x ? gradient_x_q : gradient_y_q;
+  assign steep_less    = !offset_i && steep[G-1];
+  assign product_p     = {{(P-2*C-2){product_i[2*C+1]}}, product_i};
+  assign offset_from   = first_i || steep_x ? '0 : offset_q;
+  assign offset_more   = !offset_i ? P'($signed(steep ^ {G{steep_less}})) : high_i ? product_p << (C - 1) : product_p;
   always_ff @(posedge clk_i) begin
     if (gradient_x_i) gradient_x_q <= gradient_sum;
     if (gradient_y_i) gradient_y_q <= gradient_sum;
-    if (offset_i) offset_q <= first_i ? product_shifted : offset_q + product_shifted;
+    if (offset_i || steep_x || steep_y_q) offset_q <= offset_from + offset_more + P'(steep_less);
   end
 
   // ---- Divisions ----
@@ -66,24 +72,15 @@ module plane_setup #(
   logic [1:0]   job_q;
   logic         issued_q;  // job_q's division is in the divider
   logic         divide, div_ready, div_valid, div_taken;
-  logic [P-1:0] numerator, quotient, gradient_shifted, steep_shifted;
-  logic [G-1:0] steep_x, steep_y, steep;
+  logic [P-1:0] numerator, quotient;
+  logic [G-1:0] slope;
   logic [AreaBits-1:0] rest;
 
-  assign gradient_shifted = P'($signed(job_q == JobX ? gradient_x_q : gradient_y_q)) << texel_bits_i;
-  assign steep_x = gradient_x_q[G-1] ? -gradient_x_q : gradient_x_q;
-  assign steep_y = gradient_y_q[G-1] ? -gradient_y_q : gradient_y_q;
-  assign steep   = steep_x + steep_y;  // below 2^G
-  assign steep_shifted = P'(steep) << (texel_bits_i - 5'd1);
-  always_comb begin
-    case (job_q)
-      JobX, JobY: numerator = gradient_shifted;
-      JobRise:    numerator = steep_shifted;
-      default:    numerator = offset_q;
-    endcase
-  end
+  assign slope     = job_q == JobX ? gradient_x_q : job_q == JobY ? gradient_y_q : offset_q[G-1:0];
+  assign numerator = job_q == JobStart ? offset_q
+                   : {{(P-G){slope[G-1] && job_q != JobRise}}, slope} << (texel_bits_i - 5'(job_q == JobRise));
 
-  assign divide         = !idle_q && !issued_q && (job_q != JobStart || offset_ready_i);
+  assign divide         = !idle_q && !issued_q && !steep_y_q && (job_q != JobStart || offset_ready_i);
   assign offset_taken_o = divide && div_ready && job_q == JobStart;
   assign start_valid_o  = div_valid && job_q == JobStart;
   assign div_taken      = job_q != JobStart || start_ready_i;
@@ -99,18 +96,21 @@ module plane_setup #(
     if (!rst_ni) begin
       idle_q   <= 1'b1;
       issued_q <= 1'b0;
+      steep_y_q <= 1'b0;
       job_q    <= JobX;
     end else if (clear_i) begin
       idle_q   <= 1'b1;
       issued_q <= 1'b0;
+      steep_y_q <= 1'b0;
       job_q    <= JobX;
     end else begin
+      steep_y_q <= steep_x;
       if (start_i) begin
         idle_q <= 1'b0;
-        job_q  <= JobX;
+        job_q  <= farthest_i ? JobRise : JobX;
         `CHECK(divider_free, !issued_q)
       end else if (div_valid && div_taken) begin
-        job_q <= job_q == JobX ? JobY : job_q == JobY && farthest_i ? JobRise : JobStart;
+        job_q <= job_q == JobRise ? JobX : job_q == JobX ? JobY : JobStart;
       end
       issued_q <= (divide && div_ready) || (issued_q && !(div_valid && div_taken));
     end
