@@ -1,8 +1,8 @@
 // What a point learns of a segment: what it adds to the winding number, and whether it is near.
 //
 // Twins:   model/unit/winding/segment.h, crossing
-// Numbers: ends UQ1.G texel, place UQ0.26 texel; the cross product is exact. Comparing an end with the place
-//          needs G + 1 bits: a step below the place is below its upper G bits.
+// Numbers: ends UQ1.G texel, place UQ0.26 texel; the cross product is exact. An end at or below the place is at or
+//          below the place's upper G bits.
 // Timing:  inputs of cycle n are answered in n + 2, one a cycle; no stalls.
 module crossing (
   input  logic                               clk_i,
@@ -10,11 +10,7 @@ module crossing (
   input  logic [shadow_pkg::SegmentBits-1:0] segment_i,  // segment_t
   input  logic [shadow_pkg::MaxFraction-1:0] x_i,
   input  logic [shadow_pkg::MaxFraction-1:0] y_i,
-  // the place rounded to 2^-G texel, half a step up and down: half a step is what "near" reaches
-  input  logic [shadow_pkg::EndWidth-1:0]    x_up_i,
-  input  logic [shadow_pkg::EndWidth-1:0]    x_down_i,
-  input  logic [shadow_pkg::EndWidth-1:0]    y_up_i,
-  input  logic [shadow_pkg::EndWidth-1:0]    y_down_i,
+  input  logic                               boxed_i,    // of segment_box
   output logic signed [1:0]                  winding_o,  // -1, 0 or 1
   output logic                               near_o
 );
@@ -34,8 +30,6 @@ module crossing (
   logic [G:0]                   size_x, size_y;
   logic                         rises, above0, above1;  // y0, y1 is at or below the place
   logic signed [OffsetBits-1:0] px, py;                 // from end 0
-  logic [E-1:0]                 low_x, low_y, high_x, high_y;
-  logic                         boxed;
   function automatic logic signed [OffsetBits-1:0] place_of(input logic [E-1:0] e);
     place_of = OffsetBits'(e) << Below;
   endfunction
@@ -49,11 +43,6 @@ module crossing (
   assign above1 = s.y1 <= E'(y_i[Below+:G]);
   assign px     = $signed(OffsetBits'(x_i)) - place_of(s.x0);
   assign py     = $signed(OffsetBits'(y_i)) - place_of(s.y0);
-  assign low_x  = dx[G+1] ? s.x1 : s.x0;
-  assign high_x = dx[G+1] ? s.x0 : s.x1;
-  assign low_y  = dy[G+1] ? s.y1 : s.y0;
-  assign high_y = dy[G+1] ? s.y0 : s.y1;
-  assign boxed  = low_x <= x_up_i && x_down_i <= high_x && low_y <= y_up_i && y_down_i <= high_y;
 
   logic signed [G+1:0]          dx_q, dy_q;
   logic signed [OffsetBits-1:0] px_q, py_q;
@@ -70,7 +59,7 @@ module crossing (
     crosses_q  <= s.crosses_left;
     border_q   <= valid_i && s.crosses_left && above0;
     level_q    <= valid_i && above0 != above1;  // rising: above0 alone; falling: above1 alone
-    boxed_q    <= valid_i && boxed;
+    boxed_q    <= boxed_i;
   end
 
   // 2: the side of the segment that the place is on; > 0: left of 0-1

@@ -1,8 +1,8 @@
 // Reads lists of clusters record by record, each fragment's at its own pace, until one darkens it.
 //
 // Twins:   model/unit/winding/shadow_unit_pass2.cpp, read_texel (the loop over a list)
-// Timing:  one record a cycle over all fragments. A fragment has one read under way at most; between its
-//          response and the next read lie five cycles. Responses are always taken.
+// Timing:  one record a cycle over all fragments, less what shadow_decision says. A fragment has one read
+//          under way at most; between its response and the next read lie seven cycles. Responses are always taken.
 `include "check.svh"
 module list_reader #(
   localparam int unsigned SlotBits = shadow_pkg::SlotBits
@@ -45,7 +45,7 @@ module list_reader #(
   localparam int unsigned ContextBits = AddrBits + shadow_pkg::SegmentCountBits + 4;
 
   logic                                read, dark, lit, begins;
-  logic [SlotBits-1:0]                 read_slot, rsp_slot_q;
+  logic [SlotBits-1:0]                 read_slot, record_slot_q;
   logic [AddrBits-1:0]                 next;
   logic [ContextBits-1:0]              context_out, context_in;
   logic [shadow_pkg::SegmentCountBits-1:0] count;
@@ -78,42 +78,55 @@ module list_reader #(
   assign list_ready  = rd_ready_i && !choose_next;
 
   // ---- Responses: with the fragment and what it has learnt so far ------------------------------------
-  logic                              record_valid_q;
-  logic [shadow_pkg::RecordBits-1:0] record_q;
+  // They wait, if they must, where they came in: a slot has no other read under way.
+  logic                              waiting, go, record_valid_q, decision_ready, response_room;
+  logic [SlotBits-1:0]               waiting_slot;
+  logic [shadow_pkg::RecordBits-1:0] record;
   logic [Most-1:0]                   x, y;
   logic [shadow_pkg::TraceDepthBits-1:0] depth;
   logic [shadow_pkg::IdBits-1:0]     object;
 
+  /* verilator lint_off PINCONNECTEMPTY */
+  fifo #(.Width(SlotBits), .Depth(Slots)) response_queue (
+    .clk_i, .rst_ni, .clear_i, .valid_i(rsp_valid_i), .ready_o(response_room), .data_i(rsp_tag_i),
+    .valid_o(waiting), .ready_i(go), .data_o(waiting_slot), .empty_o()
+  );
+  /* verilator lint_on PINCONNECTEMPTY */
+  assign go = waiting && (!record_valid_q || decision_ready);
+  ram_1r1w #(.Width(shadow_pkg::RecordBits), .Depth(Slots)) records (
+    .clk_i, .write_i(rsp_valid_i), .write_addr_i(rsp_tag_i), .write_data_i(rsp_data_i),
+    .read_i(go), .read_addr_i(waiting_slot), .read_data_o(record)
+  );
   ram_1r1w #(.Width(FragBits), .Depth(Slots)) fragments (
     .clk_i, .write_i(frag_i), .write_addr_i(frag_slot_i),
     .write_data_i({frag_x_i, frag_y_i, frag_depth_i, frag_object_i}),
-    .read_i(rsp_valid_i), .read_addr_i(rsp_tag_i), .read_data_o({x, y, depth, object})
+    .read_i(go), .read_addr_i(waiting_slot), .read_data_o({x, y, depth, object})
   );
   ram_1r1w #(.Width(ContextBits), .Depth(Slots)) contexts (
     .clk_i, .write_i(rd_valid_o && rd_ready_i), .write_addr_i(rd_tag_o),
     .write_data_i(choose_next ? next_context : '0),
-    .read_i(rsp_valid_i), .read_addr_i(rsp_tag_i), .read_data_o(context_in)
+    .read_i(go), .read_addr_i(waiting_slot), .read_data_o(context_in)
   );
   always_ff @(posedge clk_i) begin
-    record_q   <= rsp_data_i;
-    rsp_slot_q <= rsp_tag_i;
     held_next_q <= choose_next;
+    if (go) record_slot_q <= waiting_slot;
   end
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       record_valid_q <= 1'b0;
       held_q         <= 1'b0;
     end else begin
-      record_valid_q <= rsp_valid_i && !clear_i;
+      record_valid_q <= (go || (record_valid_q && !decision_ready)) && !clear_i;
       held_q         <= rd_valid_o && !rd_ready_i && !clear_i;
       `CHECK(room_for_every_list, !list_i || list_room)
+      `CHECK(room_for_every_response, !rsp_valid_i || response_room)
       `CHECK(room_for_every_read, !read || next_room)
     end
   end
 
   shadow_decision decision (
-    .clk_i, .rst_ni, .clear_i, .paper_semantics_i, .valid_i(record_valid_q), .slot_i(rsp_slot_q),
-    .record_i(record_q), .context_i(context_in), .x_i(x), .y_i(y), .depth_i(depth), .object_i(object),
+    .clk_i, .rst_ni, .clear_i, .paper_semantics_i, .valid_i(record_valid_q),
+    .ready_o(decision_ready), .slot_i(record_slot_q), .record_i(record), .context_i(context_in), .x_i(x), .y_i(y), .depth_i(depth), .object_i(object),
     .valid_o(read), .slot_o(read_slot), .dark_o(dark), .lit_o(lit), .next_o(next),
     .context_o(context_out), .begins_o(begins), .count_o(count)
   );

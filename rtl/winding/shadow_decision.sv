@@ -4,7 +4,8 @@
 // the answer, so that records of many fragments may be mixed.
 // Twins:   model/unit/winding/shadow_unit_pass2.cpp, read_texel (from the clusters on) and inside
 // Numbers: place UQ0.26 texel. The winding sum is exact for lists of up to 2^RecordAddrBits records.
-// Timing:  a record of cycle n is answered in n + 2, one a cycle; no stalls.
+// Timing:  a record taken in cycle n is answered in n + 2. One is taken a cycle, but where the place is within
+//          the boxes of several of its segments: a cycle each of these, for the one cross product.
 module shadow_decision #(
   localparam int unsigned WindingBits = shadow_pkg::RecordAddrBits + shadow_pkg::SegmentCountBits + 1,
   localparam int unsigned ContextBits = WindingBits + 3
@@ -15,6 +16,7 @@ module shadow_decision #(
   input  logic                                  paper_semantics_i,  // own clusters are passed over
   // a record and its fragment
   input  logic                                  valid_i,
+  output logic                                  ready_o,
   input  logic [shadow_pkg::SlotBits-1:0]       slot_i,
   input  logic [shadow_pkg::RecordBits-1:0]     record_i,   // record_t
   input  logic [ContextBits-1:0]                context_i,  // of the answer before; 0 for a list's first record
@@ -36,6 +38,7 @@ module shadow_decision #(
   localparam int unsigned G = shadow_pkg::EndBits;
   localparam int unsigned E = shadow_pkg::EndWidth;
   localparam int unsigned Below = shadow_pkg::MaxFraction - G;
+  localparam int unsigned SumBits = shadow_pkg::SegmentCountBits + 1;  // of one record's segments
 
   typedef struct packed {
     logic                   continues;  // the next record is of the same cluster
@@ -88,26 +91,62 @@ module shadow_decision #(
     .beyond_o(beyond)
   );
 
-  logic [2*Segments-1:0] windings;
-  logic [Segments-1:0]   nears;
+  // Segments with the place in their box are crossed one after the other; others are done at once.
+  logic [Segments-1:0]          boxed, left, chosen, done_q;
+  logic [2*Segments-1:0]        beside;    // what each adds if not boxed
+  logic [shadow_pkg::SegmentBits-1:0] segment;
+  logic signed [SumBits-1:0]    beside_sum, beside1_q, beside2_q, boxed_sum, boxed_sum_q;
+  logic signed [1:0]            winding;
+  logic                         crossed, near, near_sum, near_sum_q;
+  logic                         first1_q, first2_q, last1_q, last2_q;
   for (genvar i = 0; i < Segments; i++) begin : g_segment
-    crossing segment (
-      .clk_i, .valid_i(record.count > shadow_pkg::SegmentCountBits'(i)),
+    segment_box box (
+      .valid_i(record.count > shadow_pkg::SegmentCountBits'(i)),
       .segment_i(record.segments[i*shadow_pkg::SegmentBits+:shadow_pkg::SegmentBits]),
-      .x_i, .y_i, .x_up_i(x_up), .x_down_i(x_down), .y_up_i(y_up), .y_down_i(y_down),
-      .winding_o(windings[2*i+:2]), .near_o(nears[i])
+      .x_up_i(x_up), .x_down_i(x_down), .y_up_i(y_up), .y_down_i(y_down), .y_floor_i(y_i[Below+:G]),
+      .boxed_o(boxed[i]), .winding_o(beside[2*i+:2])
     );
   end
+  assign left    = boxed & ~done_q;
+  assign chosen  = left & (~left + 1'b1);  // the lowest one
+  assign ready_o = left == chosen;
+  always_comb begin
+    segment    = '0;
+    beside_sum = '0;
+    for (int unsigned i = 0; i < Segments; i++) begin
+      if (chosen[i]) segment = segment | record.segments[i*shadow_pkg::SegmentBits+:shadow_pkg::SegmentBits];
+      if (!boxed[i]) beside_sum = beside_sum + SumBits'($signed(beside[2*i+:2]));
+    end
+  end
+  assign crossed = chosen != '0;
+  crossing cross_product (
+    .clk_i, .valid_i(crossed), .segment_i(segment), .x_i, .y_i, .boxed_i(crossed),
+    .winding_o(winding), .near_o(near)
+  );
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       valid1_q <= 1'b0;
       valid2_q <= 1'b0;
+      done_q   <= '0;
     end else begin
       valid1_q <= valid_i && !clear_i;
       valid2_q <= valid1_q && !clear_i;
+      done_q   <= valid_i && !ready_o && !clear_i ? done_q | chosen : '0;
     end
   end
+  always_ff @(posedge clk_i) begin
+    beside1_q   <= beside_sum;
+    beside2_q   <= beside1_q;
+    first1_q    <= done_q == '0;
+    first2_q    <= first1_q;
+    last1_q     <= ready_o;
+    last2_q     <= last1_q;
+    boxed_sum_q <= boxed_sum;
+    near_sum_q  <= near_sum;
+  end
+  assign boxed_sum = (first2_q ? '0 : boxed_sum_q) + SumBits'(winding);
+  assign near_sum  = (!first2_q && near_sum_q) || near;
   always_ff @(posedge clk_i) begin
     meta1_q <= meta0;
     meta2_q <= meta1_q;
@@ -117,13 +156,10 @@ module shadow_decision #(
   always_comb begin
     context_out.continues = meta2_q.goes_on;
     context_out.shadows   = meta2_q.past.continues ? meta2_q.past.shadows : beyond && meta2_q.other;
-    context_out.holds     = meta2_q.past.holds || nears != '0;
-    context_out.winding   = meta2_q.past.winding;
-    for (int unsigned i = 0; i < Segments; i++) begin
-      context_out.winding = context_out.winding + WindingBits'($signed(windings[2*i+:2]));
-    end
+    context_out.holds     = meta2_q.past.holds || near_sum;
+    context_out.winding   = meta2_q.past.winding + WindingBits'(boxed_sum) + WindingBits'(beside2_q);
   end
-  assign valid_o   = valid2_q;
+  assign valid_o   = valid2_q && last2_q;
   assign slot_o    = meta2_q.slot;
   assign dark_o    = !meta2_q.goes_on && context_out.shadows &&
                      (context_out.holds || $signed(context_out.winding) > 0);

@@ -1,8 +1,8 @@
 #pragma once
 /// The golden unit's buffers after pass 1 as the words of the two memories (rtl/winding/shadow_pkg.sv).
 ///
-/// Records stand at random places, and a cluster's segments are dealt out to its records unevenly: nothing
-/// may depend on either. Fields that mean nothing hold noise.
+/// Records stand at random places, and a cluster's segments may be dealt out to its records unevenly:
+/// nothing may depend on either. Fields that mean nothing hold noise.
 #include <algorithm>
 #include <cstdint>
 #include <random>
@@ -18,6 +18,7 @@ namespace kagesen::rtl {
 struct MemoryWidths {
   unsigned map_bits = 10, id_bits = 16, record_address_bits = 22, corner_bits = 8;
   unsigned segments_per_record = 2;
+  bool uneven = true;  ///< now and then a record with fewer segments than it has room for
 };
 
 class ContentsEncoder {
@@ -129,7 +130,7 @@ class ContentsEncoder {
       bool begins = true;
       do {
         std::size_t count = std::min<std::size_t>(w_.segments_per_record, segments.size() - done);
-        if (count > 0 && random_() % 8 == 0) count = random_() % count;
+        if (w_.uneven && count > 0 && random_() % 8 == 0) count = random_() % count;
         const bool goes_on = done + count < segments.size();
         const bool has_next = goes_on || cluster.next != unit::winding::SilhouetteBuffer::kNone;
         const std::uint64_t next = place();

@@ -53,13 +53,16 @@ Settings stalling(std::uint64_t seed) {
 }
 
 struct Frame {
-  Frame(const Trace& trace, const UnitConfig& config, const Settings& settings, std::uint64_t seed)
+  Frame(const Trace& trace, const UnitConfig& config, const Settings& settings, std::uint64_t seed,
+        bool uneven = true)
       : fragments(trace.all_fragments), setup(make_frame_setup(trace, config)) {
     unit.begin(config, setup);
     unit.announce(fragments.data(), fragments.size());
     for (const Caster& caster : trace.all_casters) unit.draw(caster);
     unit.settle();
-    ContentsEncoder encoder(unit, MemoryWidths{}, seed);
+    MemoryWidths widths;
+    widths.uneven = uneven;
+    ContentsEncoder encoder(unit, widths, seed);
     texels = std::make_unique<Memory>(encoder.texel_data_bits(), settings.memory);
     slb = std::make_unique<Memory>(encoder.record_bits(), settings.memory);
     encoder.encode(*texels, *slb);
@@ -145,7 +148,7 @@ TEST(ShadowLane, DecidesStressCasesAsTheGoldenUnitDoes) {
   stress::CaseOptions options;
   options.profile = Profile::kWinding;
   std::uint64_t entries = 0;
-  for (std::uint64_t number = 0; number < 200; ++number) {
+  for (std::uint64_t number = 0; number < 120; ++number) {
     const stress::StressCase made = stress::make_case(3, number, options);
     const auto& header = made.trace.header;
     if (header.map_width > 1024 || header.map_height > 1024) continue;
@@ -164,9 +167,10 @@ int print_cycles(unsigned width) {
   int frames = 0;
   for (const SceneInfo& scene : builtin_scenes()) {
     for (const double scale : {1.0, 4.0, 16.0}) {
+      if (scene.name == "sphere1m" && scale > 1) continue;  // dozens of records a fragment: minutes
       const Trace trace = frame_of(scene.name, scale, width, 1024);
       const UnitConfig config = config_of(trace);
-      Frame frame(trace, config, Settings{}, 1);
+      Frame frame(trace, config, Settings{}, 1, false);
       LaneBench lane(config, frame.setup, *frame.texels, *frame.slb);
       LaneCounters n;
       const auto verdicts = lane.run(frame.fragments, {}, n, 1);
