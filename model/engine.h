@@ -3,7 +3,9 @@
 /// and counters out.
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/unit/config.h"
@@ -117,6 +119,36 @@ struct UnitCounters {
   SkipCounters skips;
 };
 
+/// Clock cycles of a pass, and where they went.
+struct PassCycles {
+  std::uint64_t total = 0;
+  std::uint64_t items = 0;  ///< pass 1: texels of edges and spans; pass 2: fragments
+  std::vector<std::pair<std::string, std::uint64_t>> causes;  ///< their sum is `total`
+
+  double per_item() const { return items ? double(total) / double(items) : 0; }
+  std::uint64_t of(const std::string& cause) const {
+    for (const auto& [name, cycles] : causes) {
+      if (name == cause) return cycles;
+    }
+    return 0;
+  }
+};
+/// Of an engine that has a clock. Pass 2's causes are those of the first lane.
+struct CycleReport {
+  std::uint64_t clear = 0;                 ///< wiping the memories before the frame
+  std::uint64_t announce = 0, settle = 0;  ///< winding profile: receiver mask; end of pass 1
+  PassCycles pass1, pass2;
+  std::uint64_t edge_texels = 0, span_texels = 0;  ///< of pass 1
+
+  /// Cycles of pass 1 but those that carried out spans.
+  double per_edge_texel() const {
+    return edge_texels ? double(pass1.total - pass1.of("span")) / double(edge_texels) : 0;
+  }
+  double per_span_texel() const {
+    return span_texels ? double(pass1.of("span")) / double(span_texels) : 0;
+  }
+};
+
 class Engine {
  public:
   virtual ~Engine() = default;
@@ -132,6 +164,8 @@ class Engine {
   virtual void decide(const Fragment* fragments, std::size_t count, Verdict* verdicts) = 0;
   virtual MapContents contents() const = 0;
   virtual UnitCounters counters() const = 0;
+  /// Of the frame so far; nothing where there is no clock.
+  virtual std::optional<CycleReport> cycles() const { return std::nullopt; }
 };
 
 std::unique_ptr<Engine> make_golden_engine();

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "model/golden.h"
+#include "model/stored_figures.h"
 #include "model/unit/shadow_unit.h"
 
 namespace kagesen {
@@ -22,21 +23,6 @@ LineRecord as_record(const Line& line) {
   out.end_here = line.has(Line::kEndHere);
   return out;
 }
-
-/// Bits of a stored entry and line, payload alone: 42 and 36 by default, as Table 8 implies.
-struct RecordBits {
-  explicit RecordBits(const UnitConfig& c) {
-    entry = c.depth_bits + c.id_bits + 2;  // Vertex Flag, Edge Flag
-    line = c.fraction_bits + c.slope_bits + c.polygon_id_bits + 6;
-    const int link = bits_for(static_cast<std::uint64_t>(c.slb_entries) + 1);
-    const int tag = bits_for(static_cast<std::uint64_t>(c.map_width) *
-                             static_cast<std::uint64_t>(c.map_height));
-    const int count = bits_for(static_cast<std::uint64_t>(c.lines_per_entry) + 1);
-    record = entry + c.lines_per_entry * line + tag + 2 * link + count + 1;  // covers-corner flag
-    bucket = link;
-  }
-  std::int64_t entry, line, record, bucket;
-};
 
 class PaperEngine : public Engine {
  public:
@@ -77,17 +63,13 @@ class PaperEngine : public Engine {
 
   UnitCounters counters() const override {
     UnitCounters c = unit_.counters();
-    const UnitConfig& config = unit_.config();
-    const RecordBits bits(config);
-    const std::uint64_t texels = static_cast<std::uint64_t>(config.map_width * config.map_height);
     const SilhouetteBuffer& slb = unit_.slb();
-    c.chain_histogram.assign(1, 0);
-    for (std::uint32_t bucket = 0; bucket < slb.buckets(); ++bucket) count_bucket(bucket, c);
-    c.max_chain = c.chain_histogram.size() - 1;
+    StoredFigures figures(c);
+    for (std::uint32_t bucket = 0; bucket < slb.buckets(); ++bucket) {
+      count_bucket(bucket, figures, c);
+    }
     c.peak_entries = slb.peak();
-    c.payload_bytes = (c.slb_entries * bits.entry + c.slb_lines * bits.line + 7) / 8;
-    c.allocated_bytes = (c.peak_entries * bits.record + slb.buckets() * bits.bucket + 7) / 8;
-    c.map_bytes = (texels * (config.depth_bits + config.id_bits + 2) + 7) / 8;
+    add_paper_bytes(unit_.config(), c);
     return c;
   }
 
@@ -110,22 +92,17 @@ class PaperEngine : public Engine {
   }
 
   /// Texels, entries, lines and chains of one bucket.
-  void count_bucket(std::uint32_t bucket, UnitCounters& c) const {
+  void count_bucket(std::uint32_t bucket, StoredFigures& figures, UnitCounters& c) const {
     const SilhouetteBuffer& slb = unit_.slb();
     std::vector<std::pair<std::uint32_t, std::uint64_t>> chains;  // texel, records
     for (std::uint32_t at = slb.head(bucket); at != SilhouetteBuffer::kNone; at = slb[at].next) {
-      ++c.slb_entries;
-      c.slb_lines += slb.line_count(at);
+      figures.add_entry(slb.line_count(at));
       auto chain = std::find_if(chains.begin(), chains.end(),
                                 [&](const auto& p) { return p.first == slb[at].texel; });
       if (chain == chains.end()) chain = chains.insert(chains.end(), {slb[at].texel, 0});
       for (std::uint32_t r = at; r != SilhouetteBuffer::kNone; r = slb[r].more) ++chain->second;
     }
-    for (const auto& [texel, records] : chains) {
-      if (c.chain_histogram.size() <= records) c.chain_histogram.resize(records + 1);
-      ++c.chain_histogram[records];
-    }
-    c.slb_texels += chains.size();
+    for (const auto& chain : chains) figures.add_texel(chain.second);
     c.collisions += chains.empty() ? 0 : chains.size() - 1;
   }
 

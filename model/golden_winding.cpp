@@ -2,6 +2,7 @@
 #include <tuple>
 
 #include "model/golden.h"
+#include "model/stored_figures.h"
 #include "model/unit/winding/shadow_unit.h"
 
 namespace kagesen {
@@ -16,24 +17,6 @@ using unit::winding::TexelBuffers;
 using unit::winding::Threshold;
 using unit::winding::ThresholdPlane;
 using unit::winding::Tile;
-using unit::winding::Widths;
-
-/// Bits of what the winding profile stores (docs/unit.md).
-struct StoredBits {
-  StoredBits(const UnitConfig& c, const Widths& w, std::uint64_t tiles) {
-    const int id = c.semantics == Semantics::kPaper ? static_cast<int>(c.id_bits) : 0;
-    const int link = bits_for(static_cast<std::uint64_t>(c.cluster_records) + 1);
-    const int plane = w.base_bits() + 2 * w.gradient_code_bits();
-    const auto per_record = static_cast<std::uint64_t>(c.segments_per_record);
-    segment = 4 * (w.end_bits + 1) + 2 + (c.skip_edges ? 0 : 1);  // inner
-    cluster = plane + id + static_cast<int>(c.corner_bits) + 1;
-    record = cluster + static_cast<int>(per_record) * segment + bits_for(per_record + 1) + 1 + link;
-    texel = 2 + id + std::max(plane, kDepthBits + link);
-    tile = bits_for(tiles + 1) + 2 * kDepthBits + id;
-    if (c.skip_receiver_mask) tile += static_cast<int>(TexelBuffers::kTileTexels) + kDepthBits;
-  }
-  int segment, cluster, record, texel, tile;
-};
 
 class WindingEngine : public Engine {
  public:
@@ -74,20 +57,16 @@ class WindingEngine : public Engine {
     unit_.settle();
     UnitCounters c = unit_.counters();
     const TexelBuffers& texels = unit_.texels();
-    const StoredBits bits(unit_.config(), unit_.widths(), texels.tile_count());
-    c.chain_histogram.assign(1, 0);
+    StoredFigures figures(c);
     for (const Tile& tile : texels.tiles()) {
       if (tile.slot == Tile::kUntouched) continue;
       for (std::uint32_t i = 0; i < TexelBuffers::kTileTexels; ++i) {
-        count_texel(texels.texel(tile, i & 7, i >> 3), c);
+        count_texel(texels.texel(tile, i & 7, i >> 3), figures);
       }
     }
-    c.max_chain = c.chain_histogram.size() - 1;
     c.peak_entries = unit_.slb().peak_records();
     c.skips.cleared_texels = texels.touched_texels();
-    c.payload_bytes = (c.slb_entries * bits.cluster + c.slb_lines * bits.segment + 7) / 8;
-    c.allocated_bytes = (c.peak_entries * bits.record + 7) / 8;
-    c.map_bytes = (texels.tile_count() * bits.tile + texels.touched_texels() * bits.texel + 7) / 8;
+    add_winding_bytes(unit_.config(), static_cast<std::uint32_t>(unit_.widths().texel_bits), c);
     return c;
   }
 
@@ -145,18 +124,15 @@ class WindingEngine : public Engine {
     return c;
   }
 
-  void count_texel(const Texel& texel, UnitCounters& c) const {
+  void count_texel(const Texel& texel, StoredFigures& figures) const {
     if (!texel.has_list()) return;
     const SilhouetteBuffer& slb = unit_.slb();
     std::uint64_t records = 0;
     for (std::uint32_t at = texel.list; at != SilhouetteBuffer::kNone; at = slb[at].next) {
-      ++c.slb_entries;
-      c.slb_lines += slb[at].segment_count;
+      figures.add_entry(slb[at].segment_count);
       records += slb.records_of(slb[at]);
     }
-    ++c.slb_texels;
-    if (c.chain_histogram.size() <= records) c.chain_histogram.resize(records + 1);
-    ++c.chain_histogram[records];
+    figures.add_texel(records);
   }
 
   mutable ShadowUnit unit_;  // settling changes no verdict

@@ -7,6 +7,7 @@
 #include "model/frame_setup.h"
 #include "sim/cli/nearest.h"
 #include "sim/cli/stopwatch.h"
+#include "testbench/verilator/rtl_engine.h"
 #include "traces/format/error.h"
 #include "traces/format/words.h"
 
@@ -93,7 +94,9 @@ struct Passes {
 
 std::unique_ptr<Engine> make_engine(const std::string& name) {
   if (name == "golden") return make_golden_engine();
-  throw UserError("--engine", fmt::format("there is no '{}'", name), suggestion(name, {"golden"}));
+  if (name == "rtl") return make_rtl_engine();
+  throw UserError("--engine", fmt::format("there is no '{}'", name),
+                  suggestion(name, {"golden", "rtl"}));
 }
 
 RunResult simulate(const Trace& trace, const UnitConfig& config, const SimulateOptions& options) {
@@ -116,6 +119,7 @@ RunResult simulate(const Trace& trace, const UnitConfig& config, const SimulateO
   result.contents = engine->contents();
   result.counters = engine->counters();
   result.counters.aliased_objects = aliased_objects;
+  result.cycles = engine->cycles();
   add_warnings(trace, result);
   result.stages_s.emplace_back("contents", watch.lap());
 

@@ -130,6 +130,28 @@ Json skips_json(const SkipCounters& s) {
           {"first_test_dark", s.first_test_dark}};
 }
 
+Json pass_json(const PassCycles& pass) {
+  Json causes = Json::object();
+  for (const auto& [name, cycles] : pass.causes) causes[name] = cycles;
+  return {{"total", pass.total},
+          {"items", pass.items},
+          {"per_item", pass.per_item()},
+          {"causes", causes}};
+}
+
+Json cycles_json(const CycleReport& cycles) {
+  Json json = {{"clear", cycles.clear},
+               {"announce", cycles.announce},
+               {"pass1", pass_json(cycles.pass1)},
+               {"settle", cycles.settle},
+               {"pass2", pass_json(cycles.pass2)}};
+  json["pass1"]["edge_texels"] = cycles.edge_texels;
+  json["pass1"]["span_texels"] = cycles.span_texels;
+  json["pass1"]["per_edge_texel"] = cycles.per_edge_texel();
+  json["pass1"]["per_span_texel"] = cycles.per_span_texel();
+  return json;
+}
+
 }  // namespace
 
 nlohmann::ordered_json config_json(const UnitConfig& config) {
@@ -164,6 +186,7 @@ nlohmann::ordered_json report_json(const Trace& trace, const RunResult& result) 
                  {"bytes", result.counters.map_bytes}};
   json["counters"] = counters_json(result.counters);
   if (result.config.profile == Profile::kWinding) json["skips"] = skips_json(result.counters.skips);
+  if (result.cycles) json["cycles"] = cycles_json(*result.cycles);
   json["warnings"] = result.warnings;
   json["time_s"] = result.time_s();
   Json stages = Json::object();

@@ -27,6 +27,7 @@ struct RunResult {
   std::vector<Verdict> other_verdicts;  ///< winding: in the other semantics; empty where not run
   MapContents contents;
   UnitCounters counters;
+  std::optional<CycleReport> cycles;                     ///< absent where the engine has no clock
   std::optional<Judgement> judgement;                    ///< absent without the reference
   std::optional<SceneExact> scene_exact;                 ///< absent unless asked for
   std::vector<std::string> warnings;                     ///< the trace's own, then the unit's

@@ -91,7 +91,7 @@ class VerilatedBench final : public Bench {
     close_streams();
     top_->s_awvalid_i = top_->s_wvalid_i = top_->s_arvalid_i = 0;
     top_->rst_ni = 0;
-    for (int i = 0; i < 4; ++i) cycle();
+    for (std::uint64_t i = 1; i < kResetCycles; ++i) cycle();
     for (unsigned l = 0; l < kLanes; ++l) {
       texel_ports_[l].drop();
       slb_ports_[l].drop();
@@ -108,7 +108,7 @@ class VerilatedBench final : public Bench {
   void set_timing(const Timing& timing) override {
     if (timing.latency < 1 ||
         std::uint64_t{timing.latency} + timing.spread > ReadPort<1>::kMaxDelay) {
-      throw std::runtime_error("memory latency out of range");
+      throw Failure("memory latency out of range");
     }
     timing_ = timing;
     random_ = Random(timing.seed);
@@ -184,12 +184,13 @@ class VerilatedBench final : public Bench {
 
   void trace(const char* path, std::uint64_t first, std::uint64_t last) override {
 #if KAGESEN_TRACE
-    trace_path_ = path;
+    if (fst_.isOpen()) fst_.close();
+    trace_path_ = path ? path : "";
     trace_first_ = first;
     trace_last_ = last;
 #else
     (void)path, (void)first, (void)last;
-    throw std::runtime_error("this build of the bench writes no waves");
+    throw Failure("this build of the bench writes no waves");
 #endif
   }
 
@@ -198,7 +199,7 @@ class VerilatedBench final : public Bench {
     context_.coveragep()->write(path);
 #else
     (void)path;
-    throw std::runtime_error("this build of the bench counts no coverage");
+    throw Failure("this build of the bench counts no coverage");
 #endif
   }
 
@@ -289,7 +290,7 @@ class VerilatedBench final : public Bench {
       Vshadow_bench& top = *bench.top_;
       const std::size_t at = answered[lane]++ * lanes + lane;
       if (verdicts == nullptr || at >= count) {
-        throw std::runtime_error("the unit gave a verdict that nobody asked for");
+        throw Failure("the unit gave a verdict that nobody asked for");
       }
       const unsigned dark = top.verdict_dark_o >> lane & 1;
       const auto by = static_cast<unsigned>(field(top.verdict_by_o, 3 * lane, 3));
@@ -342,9 +343,9 @@ class VerilatedBench final : public Bench {
   }
   void check_progress() {
     if (progress_ == progress_seen_) {
-      throw std::runtime_error("the unit is stuck in pass " + std::to_string(top_->pass_o) +
-                               ": nothing moved for " + std::to_string(kStuck) +
-                               " cycles up to cycle " + std::to_string(now_));
+      throw Failure("the unit is stuck in pass " + std::to_string(top_->pass_o) +
+                    ": nothing moved for " + std::to_string(kStuck) + " cycles up to cycle " +
+                    std::to_string(now_));
     }
     progress_seen_ = progress_;
   }
@@ -406,7 +407,7 @@ class VerilatedBench final : public Bench {
     }
     if (!failure.empty()) {
       const std::string text = std::exchange(failure, {});
-      throw std::runtime_error("cycle " + std::to_string(now_ - 1) + ": " + text);
+      throw Failure("cycle " + std::to_string(now_ - 1) + ": " + text);
     }
   }
 
@@ -467,6 +468,11 @@ class VerilatedBench final : public Bench {
     Vshadow_bench& top = *top_;
     if (top.irq_o) done_ = true;
     const unsigned pass = top.pass_o;
+    if (pass == static_cast<unsigned>(Pass::kWipe)) {
+      events_.peak_records = 0;
+    } else if (top.records_o > events_.peak_records) {
+      events_.peak_records = top.records_o;
+    }
     if (pass == 0 || !top.rst_ni) return;
     PassCycles& cycles = cycles_[pass];
     ++cycles.total;
@@ -478,7 +484,6 @@ class VerilatedBench final : public Bench {
     ++cycles.causes[top.cause1_o];
     if (top.front_events_o != 0) count_front(top.front_events_o);
     if (top.store_events_o != 0) count_store(top.store_events_o);
-    if (top.records_o > events_.peak_records) events_.peak_records = top.records_o;
   }
 
   void count_front(unsigned e) {

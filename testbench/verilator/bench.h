@@ -4,6 +4,7 @@
 /// Twin: testbench/verilator/bench.cpp. Everything is in clock cycles; nothing knows of traces.
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 
 namespace kagesen::bench {
 
@@ -90,9 +91,16 @@ struct MemoryWords {
   std::uint64_t count;
 };
 
-/// Functions throw std::runtime_error when an assertion of the unit fails or it makes no progress.
+/// An assertion of the unit failed, or the unit broke a rule of its ports, or made no progress.
+class Failure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Every function may throw Failure.
 class Bench {
  public:
+  static constexpr std::uint64_t kResetCycles = 5;  ///< that reset() takes
   virtual ~Bench() = default;
 
   /// Reset, as after power-up: memories keep what they hold, responses under way are lost.
@@ -123,7 +131,8 @@ class Bench {
   virtual MemoryWords texel_memory() const = 0;
   virtual MemoryWords slb_memory() const = 0;
 
-  /// Writes an FST wave of the cycles from `first` to `last`; only in a build with waves.
+  /// Writes an FST wave of the cycles from `first` to `last`; only in a build with waves. A null
+  /// path ends it early.
   virtual void trace(const char* path, std::uint64_t first, std::uint64_t last) = 0;
   /// Adds this run's coverage to a file; only in a build with coverage.
   virtual void write_coverage(const char* path) = 0;

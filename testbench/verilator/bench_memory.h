@@ -4,7 +4,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <new>
-#include <stdexcept>
+
+#include "testbench/verilator/bench.h"
 
 namespace kagesen::bench {
 
@@ -67,7 +68,7 @@ class ReadPort {
   }
   void accept(std::uint64_t now, std::uint8_t tag, const std::uint32_t* words) {
     std::uint64_t at = now + latency_;
-    if (under_way_[tag]) throw std::runtime_error("a memory tag is used before its response came");
+    if (under_way_[tag]) throw Failure("a memory tag is used before its response came");
     under_way_[tag] = true;
     if (spread_ != 0) at += random_.below(spread_ + 1);
     while (ring_[at % kSlots].due) ++at;

@@ -64,7 +64,7 @@ TEST(ReadPort, RefusesATagThatIsUnderWayUnlessItWasDropped) {
   port.configure(10, 0, 1);
   const std::uint32_t word = 0;
   port.accept(0, 5, &word);
-  EXPECT_THROW(port.accept(1, 5, &word), std::runtime_error);
+  EXPECT_THROW(port.accept(1, 5, &word), Failure);
   port.drop();
   for (std::uint64_t now = 0; now < 20; ++now) EXPECT_EQ(port.take(now), nullptr);
   EXPECT_NO_THROW(port.accept(20, 5, &word));
