@@ -134,9 +134,6 @@ void add_gates(CLI::App& app) {
   command.add_option("--abc", gates.abc, "Another script for ABC")
       ->type_name("FILE")
       ->group("Flow");
-  command.add_option("--adders", gates.adders, "Another Verilog map of adders")
-      ->type_name("FILE")
-      ->group("Flow");
   command
       .add_option("--package-set", gates.package_sets,
                   "Sets a constant of the package that no key sets")

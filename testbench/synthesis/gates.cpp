@@ -24,16 +24,10 @@ constexpr double kYosysLimitS = 3600;
 struct Inputs {
   CellLibrary library;
   std::vector<std::string> sources;
-  std::string package, flow, abc, adders, timing, yosys, sta, tools;
+  std::string package, flow, abc, timing, yosys, sta, tools;
   std::string key() const;
   std::string script_hash() const {
-    return ContentKey()
-        .add("flow", flow)
-        .add("abc", abc)
-        .add("adders", adders)
-        .add("timing", timing)
-        .hex()
-        .substr(0, 12);
+    return ContentKey().add("flow", flow).add("abc", abc).add("timing", timing).hex().substr(0, 12);
   }
 };
 
@@ -60,7 +54,6 @@ Inputs inputs_of(const UnitConfig& config, const GateOptions& options) {
   in.flow = fmt::format("# {}\n", options.top) + read_file(scripts + "synthesis.ys.in") +
             (options.flatten ? "# flattened\n" : "");
   in.abc = read_file(options.abc.empty() ? scripts + "abc.script" : options.abc);
-  in.adders = read_file(options.adders.empty() ? scripts + "adders.v" : options.adders);
   in.timing = read_file(scripts + "timing.tcl.in");
   return in;
 }
@@ -80,7 +73,6 @@ void run_yosys(const Inputs& in, const GateOptions& options, CacheEntry& entry) 
   const auto folder = entry.folder();
   write_file(folder / "shadow_pkg.sv", in.package);
   write_file(folder / "abc.script", in.abc);
-  write_file(folder / "adders.v", in.adders);
   const std::string script = fill_template(
       in.flow, {{"TOP", options.top},
                 {"LIBERTY", in.library.liberty},
@@ -88,7 +80,6 @@ void run_yosys(const Inputs& in, const GateOptions& options, CacheEntry& entry) 
                 {"RAM", ram_file()},
                 {"SOURCES", fmt::format("shadow_pkg.sv {}", fmt::join(in.sources, " "))},
                 {"FLATTEN", options.flatten ? "flatten" : ""},
-                {"ADDERS", "adders.v"},
                 {"ABC", "abc.script"},
                 {"PERIOD_PS", fmt::format("{:.0f}", 1e6 / kTargetMhz)}});
   write_file(folder / "synthesis.ys", script);

@@ -19,7 +19,6 @@ struct GateOptions {
   std::string library = "osu018";
   std::string top = "shadow_unit";
   std::string abc;       ///< another script for ABC; empty: the committed one
-  std::string adders;    ///< another map of adders for techmap; empty: the committed one
   bool flatten = false;  ///< before mapping; then there is only one block
   /// What the package is changed in, as "Name=value" of its own constants; for what no key sets.
   std::vector<std::string> package_sets;
