@@ -200,7 +200,7 @@ module edge_setup #(
       5'd17:   begin factor_a = dx1; factor_b = E'(start_y); end
       5'd18:   begin factor_a = dy2; factor_b = E'(start_x); end
       5'd19:   begin factor_a = dx2; factor_b = E'(start_y); end
-      5'd23:   begin factor_a = E'(rise_q); factor_b = E'(into_major); end
+      5'd23:   begin factor_a = E'(rise_q); factor_b = -E'(into_major); end
       5'd24:   begin factor_a = E'($signed(dz)); factor_b = E'(to_major); end
       default: begin factor_a = E'($signed(dz)); factor_b = E'(to_minor); end
     endcase
@@ -209,22 +209,22 @@ module edge_setup #(
   // ---- Area and corner functions, in one accumulator ----
   // A corner function is that of the start, which is the area for the edge opposite and else 0, and
   // what the way to the corner adds.
-  logic [2*E-1:0] sum_q, signed_area, sum_from;
-  logic           clockwise_q, clockwise, sum_first, sum_less;
+  logic [2*E-1:0] sum_q, sum_from;
+  logic           clockwise_q, clockwise, sum_first, sum_less, sum_area;
   logic [1:0]     start_vertex, corner;
   logic           corner_opposite;
   assign corner          = pc_q == PcCorners + 5'd2 ? 2'd0 : pc_q == PcCorners + 5'd4 ? 2'd1 : 2'd2;  // function of a first product
   assign start_vertex    = swap ? (edge_q == 2'd2 ? 2'd0 : edge_q + 1'b1) : edge_q;
   assign corner_opposite = corner == (start_vertex == 2'd2 ? 2'd0 : start_vertex + 1'b1);
-  assign signed_area     = clockwise_q ? -{2'b0, area_q} : {2'b0, area_q};
   assign sum_first       = !pc_q[0];
   assign sum_less        = pc_q[0];
-  assign sum_from        = !sum_first ? sum_q : pc_q >= PcCorners && corner_opposite ? signed_area : '0;
+  assign sum_area        = sum_first && pc_q >= PcCorners && corner_opposite;
+  assign sum_from        = !sum_first ? sum_q : sum_area ? {2'b0, area_q} ^ {(2*E){clockwise_q}} : '0;
   assign clockwise       = pc_q == 5'd4 ? sum_q[2*E-1] : clockwise_q;
   assign clockwise_o     = clockwise_q;
   assign area_o          = area_q;
   always_ff @(posedge clk_i) begin
-    sum_q <= sum_from + (product ^ {(2*E){sum_less}}) + {{(2*E-1){1'b0}}, sum_less};
+    sum_q <= sum_from + (product ^ {(2*E){sum_less}}) + {{(2*E-1){1'b0}}, sum_less || (sum_area && clockwise_q)};
     if (pc_q == 5'd4) begin
       clockwise_q <= clockwise;
       area_q      <= clockwise ? -sum_q[AreaBits-1:0] : sum_q[AreaBits-1:0];
@@ -285,7 +285,7 @@ module edge_setup #(
   end
   divider #(.NumeratorBits(C+F+1), .DivisorBits(C), .QuotientBits(F+3)) minor_divider (
     .clk_i, .rst_ni, .clear_i, .valid_i(ramp_start[0]), .ready_o(ramp_ready[0]),
-    .numerator_i(steps ? {1'b0, (C+F)'(rise_q)} << settings_i.texel_bits : -product[C+F:0]), .divisor_i(length_q),
+    .numerator_i(steps ? {1'b0, (C+F)'(rise_q)} << settings_i.texel_bits : product[C+F:0]), .divisor_i(length_q),
     .valid_o(ramp_valid[0]), .ready_i(ramp_taken[0]), .quotient_o(minor_quotient), .remainder_o(minor_rest_o));
   divider #(.NumeratorBits(N), .DivisorBits(C), .QuotientBits(Q)) major_divider (
     .clk_i, .rst_ni, .clear_i, .valid_i(ramp_start[1]), .ready_o(ramp_ready[1]),

@@ -184,11 +184,12 @@ module front (
     .word_valid_o(word_valid), .ready_i(advance), .x_o(word_x), .y_o(word_y), .depth_o(word_depth), .mask_o(word_mask)
   );
   assign by_two = phase_q == Spans && fill_two;
+  // Spans only look at the D lowest bits of its whole part.
   plane_ramp #(.WholeBits(P), .RestBits(AreaBits)) ramp (
-    .clk_i, .load_i(take || fill_load), .whole_i(fill_load ? P'(fill_whole) : plane_whole),
+    .clk_i, .load_i(take || fill_load), .whole_i({plane_whole[P-1:D], fill_load ? fill_whole : plane_whole[D-1:0]}),
     .rest_i(fill_load ? fill_rest : plane_rest),
     .move_x_i((walk_x && !take) || fill_x), .move_y_i(walk_y || fill_y), .back_i(walk_x ? walk_back : fill_back),
-    .x_whole_i(by_two ? P'(two_whole_q) : plane_x_whole_q), .x_rest_i(by_two ? two_rest_q : plane_x_rest_q),
+    .x_whole_i({plane_x_whole_q[P-1:D], by_two ? two_whole_q : plane_x_whole_q[D-1:0]}), .x_rest_i(by_two ? two_rest_q : plane_x_rest_q),
     .y_whole_i(plane_y_whole_q), .y_rest_i(plane_y_rest_q),
     .base_i(area_q), .whole_o(ramp_whole), .rest_o(ramp_rest)
   );
@@ -206,8 +207,10 @@ module front (
     end
   end
   logic [D-1:0] centre;  // the plane's depth, clamped to the triangle's
-  assign centre = $signed(ramp_whole) < $signed(P'(least_q)) ? least_q
-                : $signed(ramp_whole) > $signed(P'(tri_q.most)) ? tri_q.most : ramp_whole[D-1:0];
+  logic         below, above;
+  assign below  = ramp_whole[P-1] || (ramp_whole[P-2:D] == '0 && ramp_whole[D-1:0] < least_q);
+  assign above  = ramp_whole[P-2:D] != '0 || ramp_whole[D-1:0] > tri_q.most;  // if not below
+  assign centre = below ? least_q : above ? tri_q.most : ramp_whole[D-1:0];
 
   // ---- Visits ----
   shadow_pkg::visit_t visit, visit_q;
