@@ -8,6 +8,8 @@ module combine (
   input  logic              table7_printed_i,
   input  shadow_pkg::line_t a_i,
   input  shadow_pkg::line_t b_i,
+  input  logic [shadow_pkg::FractionBits:0] a_complement_i,  // 1 - Fraction of a, of b
+  input  logic [shadow_pkg::FractionBits:0] b_complement_i,
   input  logic              vertex_i,            // the entry's Vertex Flag
   output logic              and_o
 );
@@ -20,15 +22,17 @@ module combine (
   logic a_holds, b_holds, both_through, fractions_and;
 
   // Along the major axis it is 0 or 1, along the minor one the Fraction.
-  logic [F:0] au, bu;
+  logic [F:0] au, anu, bu, bnu;  // along the direction of travel, and 1 less that
   assign au  = !a_i.x_major ? {1'b0, a_i.fraction} : a_i.cross_flag ? One : '0;
+  assign anu = !a_i.x_major ? a_complement_i : a_i.cross_flag ? '0 : One;
   assign ay  = a_i.x_major ? {1'b0, a_i.fraction} : a_i.cross_flag ? One : '0;
   assign bu  = !b_i.x_major ? {1'b0, b_i.fraction} : b_i.cross_flag ? One : '0;
+  assign bnu = !b_i.x_major ? b_complement_i : b_i.cross_flag ? '0 : One;
   assign by  = b_i.x_major ? {1'b0, b_i.fraction} : b_i.cross_flag ? One : '0;
-  assign ax  = a_i.x_positive ? au : One - au;
-  assign anx = a_i.x_positive ? One - au : au;
-  assign bx  = b_i.x_positive ? bu : One - bu;
-  assign bnx = b_i.x_positive ? One - bu : bu;
+  assign ax  = a_i.x_positive ? au : anu;
+  assign anx = a_i.x_positive ? anu : au;
+  assign bx  = b_i.x_positive ? bu : bnu;
+  assign bnx = b_i.x_positive ? bnu : bu;
 
   line_test #(.PointBits(F)) a_test (
     .line_i(a_i), .x_i(bx), .nx_i(bnx), .y_i(by), .holds_o(a_holds)

@@ -17,24 +17,21 @@ module line_test #(
   localparam int unsigned F = shadow_pkg::FractionBits;
   localparam int unsigned D = PointBits + S + 3;  // d and its sign; |d| <= 3
 
-  logic        [PointBits:0]   u, major, minor;
-  logic signed [PointBits+1:0] along;  // major - Cross
-  logic signed [S:0]           slope;
-  logic signed [D-1:0]         rise, less, d;
-  logic                        above_is_left;
+  logic [PointBits:0] u, major, minor;
+  logic [S-1:0]       crossed;  // Slope x Cross
+  logic [D-1:0]       d;        // or d - 1
+  logic               above_is_left;
 
-  assign u     = line_i.x_positive ? x_i : nx_i;
-  assign major = line_i.x_major ? u : y_i;
-  assign minor = line_i.x_major ? y_i : u;
-  // v - 1 of v = 0 to 1: 0 where the top bit is set, negative elsewhere.
-  assign along = {line_i.cross_flag && !major[PointBits], major[PointBits] ^ line_i.cross_flag, major[PointBits-1:0]};
-  assign slope = {1'b0, line_i.slope};
-  assign rise  = D'({minor, {S{1'b0}}}) - D'({line_i.fraction, {(PointBits + S - F){1'b0}}});
+  assign u       = line_i.x_positive ? x_i : nx_i;
+  assign major   = line_i.x_major ? u : y_i;
+  assign minor   = line_i.x_major ? y_i : u;
+  assign crossed = line_i.slope & {S{line_i.cross_flag}};
 
   // d > 0 is d - 1 >= 0: one sign tells either question.
   assign above_is_left = line_i.x_major == line_i.x_positive;
-  assign less          = D'(above_is_left);
-  assign d             = rise - slope * along - less;
+  assign d = D'({minor, {S{1'b0}}}) + D'({crossed, {PointBits{1'b0}}})
+             - D'({line_i.fraction, {(PointBits + S - F){1'b0}}})
+             - D'(line_i.slope) * D'(major) - D'(above_is_left);
   assign holds_o       = line_i.left ^ above_is_left ^ d[D-1];
 
   logic unused_fields;

@@ -6,10 +6,10 @@
 // such candidate at a time is held against all lines of the entry: from its own record to the
 // entry's last one, then from the first one on, until it is killed (then the next line that holds
 // the point is the candidate) or has come round (then the fragment is dark). What must be known
-// until the slot's next record comes stands in `context_ram`.
+// until the slot's next record comes stands in two memories, a word a slot.
 //
 // Timing: a record in cycle n (its fragment with it), by what it was asked for in n + 1
-//         (`first_i` to `at_i`); outputs in n + 1. Always taken.
+//         (`first_i` to `at_i`); outputs in n + 2. Always taken.
 `include "check.svh"
 module shadow_decision #(
   parameter int unsigned PointBits = 26,  // of Mx and My that are looked at, at least FractionBits
@@ -35,7 +35,10 @@ module shadow_decision #(
   input  logic                                 first_i,     // as the bucket's own
   input  logic                                 in_entry_i,  // as one more of an entry under way
   input  logic [AddrBits-1:0]                  at_i,        // its address
-  // one cycle after the record: verdict or next request
+  // one cycle after the record: whose it is
+  output logic                                 middle_valid_o,
+  output logic [SlotBits-1:0]                  middle_slot_o,
+  // two cycles after the record: verdict or next request
   output logic                                 slot_valid_o,
   output logic [SlotBits-1:0]                  slot_o,
   output logic                                 decided_o,
@@ -48,24 +51,30 @@ module shadow_decision #(
   localparam int unsigned LineBits  = shadow_pkg::LineBits;
   localparam int unsigned IndexBits = L > 1 ? $clog2(L) : 1;
 
-  // What an entry under way knows.
+  localparam int unsigned F         = shadow_pkg::FractionBits;
+
+  // What an entry under way knows: which line is the candidate, or where one is looked for,
   typedef struct packed {
-    logic                      vertex;       // of the entry
-    logic                      has_next;
-    logic [AddrBits-1:0]       next;         // entry behind it
-    logic [AddrBits-1:0]       head;         // its first record
-    logic                      uncounted;    // some record has not been counted yet:
-    logic [AddrBits-1:0]       uncounted_at;
-    logic                      searching;    // a candidate is looked for, behind line `index`
-    logic                      all_lines;    // or from the record's first line on
-    logic [IndexBits-1:0]      index;        // of the candidate, in record `candidate_at`
-    logic [AddrBits-1:0]       candidate_at;
-    logic                      others;       // that record has further lines that hold the point
-    logic                      goes_on;      // it is not the entry's last
-    logic [AddrBits-1:0]       onward;       // the record behind it
-    logic [LineBits-1:0]       candidate;
+    logic                 searching;  // behind line `index`
+    logic                 all_lines;  // from the record's first line on
+    logic [IndexBits-1:0] index;      // of the candidate
+    logic [LineBits-1:0]  candidate;
+  } choice_t;
+  localparam int unsigned ChoiceBits = 2 + IndexBits + LineBits;
+  // and where its records are.
+  typedef struct packed {
+    logic                vertex;     // of the entry
+    logic                has_next;
+    logic [AddrBits-1:0] next;       // entry behind it
+    logic [AddrBits-1:0] head;       // its first record
+    logic                uncounted;  // some record has not been counted yet:
+    logic [AddrBits-1:0] uncounted_at;
+    logic [AddrBits-1:0] candidate_at;  // record of the candidate
+    logic                others;        // it has further lines that hold the point
+    logic                goes_on;       // it is not the entry's last
+    logic [AddrBits-1:0] onward;        // the record behind it
   } context_t;
-  localparam int unsigned ContextBits = 7 + 5 * AddrBits + IndexBits + LineBits;
+  localparam int unsigned ContextBits = 5 + 5 * AddrBits;
 
   // ---- Stage 1: each line and the point ----
   logic [L-1:0] holds;
@@ -84,7 +93,6 @@ module shadow_decision #(
   logic [AddrBits-1:0]                  more_q, next_q;
   logic [shadow_pkg::LineCountBits-1:0] count_q;
   logic [L*LineBits-1:0]                lines_q;
-  logic [ContextBits-1:0]               context_bits;
 
   always_ff @(posedge clk_i) begin
     slot_q     <= slot_i;
@@ -112,32 +120,25 @@ module shadow_decision #(
     end
   end
 
-  // ---- Stage 2: the candidate and the other lines ----
-  context_t                 was, now;
-  logic                     searching, found, others, killed;
-  logic [L-1:0]             eligible, ands;
+  // ---- Stage 2: the first line that may be the candidate ----
+  choice_t                  choice;
+  logic [ChoiceBits-1:0]    choice_bits;
+  logic                     searching, found, others;
   logic [IndexBits-1:0]     found_index;
   logic [LineBits-1:0]      candidate;
-  logic                     vertex;
-  logic [AddrBits-1:0]      head;
+  logic [L-1:0]             eligible;
 
-  assign was       = context_bits;
-  assign vertex    = in_entry_i ? was.vertex : vertex_q;
-  assign head      = in_entry_i ? was.head : at_i;
-  assign searching = !in_entry_i || was.searching;
-
-  // The first line that may be the candidate.
+  assign choice    = choice_bits;
+  assign searching = !in_entry_i || choice.searching;
   always_comb begin
-    for (int i = 0; i < L; i++) begin
-      eligible[i] = holds_q[i]
-                    && (!in_entry_i || was.all_lines || IndexBits'(i) > was.index);
-    end
     found       = 1'b0;
     others      = 1'b0;
-    found_index = '0;
-    candidate   = was.candidate;
+    found_index = choice.index;
+    candidate   = choice.candidate;
     for (int i = L - 1; i >= 0; i--) begin
-      if (eligible[i] && searching) begin
+      eligible[i] = searching && holds_q[i]
+                    && (!in_entry_i || choice.all_lines || IndexBits'(i) > choice.index);
+      if (eligible[i]) begin
         others      = found;
         found       = 1'b1;
         found_index = IndexBits'(i);
@@ -146,14 +147,71 @@ module shadow_decision #(
     end
   end
 
+  logic                                 end_valid_q;
+  logic [SlotBits-1:0]                  end_slot_q;
+  logic                                 in_entry_q, match_q, end_beyond_q, end_own_q, end_vertex_q;
+  logic                                 end_more_q, end_next_q;
+  logic [AddrBits-1:0]                  end_more_at_q, end_next_at_q, at_q;
+  logic [shadow_pkg::LineCountBits-1:0] end_count_q;
+  logic [L*LineBits-1:0]                end_lines_q;
+  logic [L*(F+1)-1:0]                   complements_q;  // 1 - Fraction of each line
+  logic [L-1:0]                         misses_q;       // lines that do not hold the point
+  logic                                 searching_q, found_q, others_q;
+  logic [IndexBits-1:0]                 index_q;
+  logic [LineBits-1:0]                  candidate_q;
+  logic [F:0]                           candidate_complement_q;
+
+  always_ff @(posedge clk_i) begin
+    end_slot_q    <= slot_q;
+    in_entry_q    <= in_entry_i;
+    match_q       <= texels_q && (!first_i || used_q);
+    end_beyond_q  <= beyond_q;
+    end_own_q     <= own_q;
+    end_vertex_q  <= vertex_q;
+    end_more_q    <= has_more_q;
+    end_next_q    <= has_next_q;
+    end_more_at_q <= more_q;
+    end_next_at_q <= next_q;
+    at_q          <= at_i;
+    end_count_q   <= count_q;
+    end_lines_q   <= lines_q;
+    misses_q      <= there_q & ~holds_q;
+    searching_q   <= searching;
+    found_q       <= found;
+    others_q      <= others;
+    index_q       <= found_index;
+    candidate_q   <= candidate;
+    candidate_complement_q <= {1'b1, {F{1'b0}}} - {1'b0, candidate[F-1:0]};
+    for (int i = 0; i < L; i++) begin
+      complements_q[i*(F+1) +: F+1] <= {1'b1, {F{1'b0}}} - {1'b0, lines_q[i*LineBits +: F]};
+    end
+  end
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) end_valid_q <= 1'b0;
+    else end_valid_q <= valid_q && !clear_i;
+  end
+
+  // ---- Stage 3: the candidate and the other lines ----
+  context_t               was, now;
+  choice_t                now_choice;
+  logic [ContextBits-1:0] context_bits;
+  logic [L-1:0]           ands;
+  logic                   killed, vertex;
+  logic [AddrBits-1:0]    head;
+
+  assign was    = context_bits;
+  assign vertex = in_entry_q ? was.vertex : end_vertex_q;
+  assign head   = in_entry_q ? was.head : at_q;
   for (genvar i = 0; i < L; i++) begin : g_combine
     combine combine (
       .vertex_per_entry_i(settings_i.vertex_per_entry), .table7_printed_i(settings_i.table7_printed),
-      .a_i(candidate), .b_i(lines_q[i*LineBits +: LineBits]), .vertex_i(vertex), .and_o(ands[i])
+      .a_i(candidate_q), .b_i(end_lines_q[i*LineBits +: LineBits]),
+      .a_complement_i(candidate_complement_q), .b_complement_i(complements_q[i*(F+1) +: F+1]),
+      .vertex_i(vertex), .and_o(ands[i])
     );
   end
   // The candidate itself holds the point, so it needs no exception.
-  assign killed = |(there_q & ~holds_q & ands);
+  assign killed = |(misses_q & ands);
 
   // ---- Where to go from here ----
   logic asks_lines;  // the record's lines count
@@ -161,11 +219,11 @@ module shadow_decision #(
   logic has_next, last_there, counts;
   logic [AddrBits-1:0] next, around;
 
-  assign asks_lines = in_entry_i || (texels_q && (!first_i || used_q) && beyond_q && !own_q);
-  assign has_next   = in_entry_i ? was.has_next : has_next_q;
-  assign next       = in_entry_i ? was.next : next_q;
-  assign around     = has_more_q ? more_q : head;
-  assign counts     = !in_entry_i || (was.uncounted && was.uncounted_at == at_i);
+  assign asks_lines = in_entry_q || (match_q && end_beyond_q && !end_own_q);
+  assign has_next   = in_entry_q ? was.has_next : end_next_q;
+  assign next       = in_entry_q ? was.next : end_next_at_q;
+  assign around     = end_more_q ? end_more_at_q : head;
+  assign counts     = !in_entry_q || (was.uncounted && was.uncounted_at == at_q);
 
   always_comb begin
     now           = was;
@@ -174,19 +232,19 @@ module shadow_decision #(
     now.next      = next;
     now.head      = head;
     if (counts) begin
-      now.uncounted    = has_more_q;
-      now.uncounted_at = more_q;
+      now.uncounted    = end_more_q;
+      now.uncounted_at = end_more_at_q;
     end
-    if (searching) begin
-      now.index        = found_index;
-      now.candidate_at = at_i;
-      now.candidate    = candidate;
-      now.others       = others;
-      now.goes_on      = has_more_q;
-      now.onward       = more_q;
+    if (searching_q) begin
+      now.candidate_at = at_q;
+      now.others       = others_q;
+      now.goes_on      = end_more_q;
+      now.onward       = end_more_at_q;
     end
-    now.searching = 1'b0;
-    now.all_lines = 1'b0;
+    now_choice.searching = 1'b0;
+    now_choice.all_lines = 1'b0;
+    now_choice.index     = index_q;
+    now_choice.candidate = candidate_q;
 
     dark_o          = 1'b0;
     entry_done      = 1'b0;
@@ -196,14 +254,14 @@ module shadow_decision #(
     if (!asks_lines) begin
       // Another texel's, or the fragment's own; or nearer entries than the fragment are at an end.
       entry_done = 1'b1;
-      last_there = texels_q && (!first_i || used_q) && !beyond_q;
-    end else if (searching && !found) begin
-      now.searching = 1'b1;
-      now.all_lines = 1'b1;
-      entry_done    = !has_more_q;
+      last_there = match_q && !end_beyond_q;
+    end else if (searching_q && !found_q) begin
+      now_choice.searching = 1'b1;
+      now_choice.all_lines = 1'b1;
+      entry_done    = !end_more_q;
     end else if (killed) begin
-      now.searching = 1'b1;
-      now.all_lines = !now.others;
+      now_choice.searching = 1'b1;
+      now_choice.all_lines = !now.others;
       next_at_o     = now.others ? now.candidate_at : now.onward;
       entry_done    = !now.others && !now.goes_on;
     end else begin
@@ -216,16 +274,23 @@ module shadow_decision #(
     decided_o = dark_o || (entry_done && (last_there || !has_next));
   end
 
+  logic keep;
+  assign keep = end_valid_q && !decided_o && next_in_entry_o;
+  ram_1r1w #(.Width(ChoiceBits), .Depth(shadow_pkg::FragmentSlots)) choice_ram (
+    .clk_i, .write_i(keep), .write_addr_i(end_slot_q), .write_data_i(now_choice),
+    .read_i(valid_i), .read_addr_i(slot_i), .read_data_o(choice_bits)
+  );
   ram_1r1w #(.Width(ContextBits), .Depth(shadow_pkg::FragmentSlots)) context_ram (
-    .clk_i,
-    .write_i(valid_q && !decided_o && next_in_entry_o), .write_addr_i(slot_q), .write_data_i(now),
-    .read_i(valid_i), .read_addr_i(slot_i), .read_data_o(context_bits)
+    .clk_i, .write_i(keep), .write_addr_i(end_slot_q), .write_data_i(now),
+    .read_i(valid_q), .read_addr_i(slot_q), .read_data_o(context_bits)
   );
 
-  assign slot_valid_o = valid_q;
-  assign slot_o       = slot_q;
-  assign entry_read_o = valid_q && !in_entry_i && texels_q && (!first_i || used_q) && beyond_q;
-  assign lines_read_o = valid_q && asks_lines && counts ? count_q : '0;
+  assign middle_valid_o = valid_q;
+  assign middle_slot_o  = slot_q;
+  assign slot_valid_o = end_valid_q;
+  assign slot_o       = end_slot_q;
+  assign entry_read_o = end_valid_q && !in_entry_q && match_q && end_beyond_q;
+  assign lines_read_o = end_valid_q && asks_lines && counts ? end_count_q : '0;
 
   logic unused_fields;
   assign unused_fields = ^{record_i.corner, settings_i};

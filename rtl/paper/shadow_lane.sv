@@ -11,7 +11,7 @@
 // and queues as long as there are slots never overflow. Reads of fragments that began to read the
 // SLB go before those of fragments that begin.
 // Timing: a fragment a cycle where the SLB is not read; besides the memories' latency 2 cycles from
-//         fragment to texel read, 3 from texel word to SLB read, 4 from record to the next read,
+//         fragment to texel read, 3 from texel word to SLB read, 5 from record to the next read,
 //         2 to 3 from a decision to the verdict.
 `include "check.svh"
 module shadow_lane (
@@ -224,6 +224,8 @@ module shadow_lane (
   logic                         more_ready, lookup_ready, more_valid, lookup_valid;
   logic                         late, late_decided, late_dark, late_in_entry;
   logic [AddrBits-1:0]          late_at;
+  logic                         middle;  // decision's stage before the last
+  logic [SlotBits-1:0]          middle_slot;
   logic                         entry_read;
   logic [shadow_pkg::LineCountBits-1:0] lines_read;
   logic [SlotBits+AddrBits:0]   more_request;    // {in entry, slot, address}
@@ -295,6 +297,7 @@ module shadow_lane (
     .object_i(frag[3*PointBits+1 +: IdBits]),
     .texel_i(frag[FragBits-1 -: 2*MapBits]),
     .first_i(asked_first), .in_entry_i(asked_in_entry), .at_i(asked_at),
+    .middle_valid_o(middle), .middle_slot_o(middle_slot),
     .slot_valid_o(late), .slot_o(late_slot), .decided_o(late_decided), .dark_o(late_dark),
     .next_in_entry_o(late_in_entry), .next_at_o(late_at),
     .entry_read_o(entry_read), .lines_read_o(lines_read)
@@ -327,7 +330,7 @@ module shadow_lane (
     reading_q <= reading_d;
   end
   assign being_decided = (early && early_slot == oldest) || (record_valid_q && record_slot_q == oldest)
-                         || (late && late_slot == oldest);
+                         || (middle && middle_slot == oldest) || (late && late_slot == oldest);
 
   always_comb begin
     if (take) cause_o = shadow_pkg::LaneFragment;

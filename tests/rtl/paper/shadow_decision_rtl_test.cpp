@@ -67,10 +67,12 @@ TEST(Combine, EveryPairOfLinesOf3Bits) {
       unit::ShadowDecision(config_of(2)), unit::ShadowDecision(config_of(3))};
   for (unsigned a = 0; a < kLines; ++a) {
     dut.a_i = static_cast<SData>(words[a]);
+    dut.a_complement_i = static_cast<CData>(kOne - lines[a].fraction);
     for (unsigned b = 0; b < kLines; ++b) {
       const unsigned vertex = (b >> 3 ^ a >> 6) & 1;
       dut.b_i = static_cast<SData>(words[b]);
       dut.vertex_i = static_cast<CData>(vertex);
+      dut.b_complement_i = static_cast<CData>(kOne - lines[b].fraction);
       for (unsigned policies = 0; policies < 4; ++policies) {
         dut.vertex_per_entry_i = policies & 1;
         dut.table7_printed_i = policies >> 1;
@@ -125,6 +127,7 @@ class Decision {
       dut_.first_i = first;
       dut_.in_entry_i = in_entry;
       dut_.at_i = static_cast<IData>(at);
+      tick();
       dut_.eval();
       EXPECT_TRUE(dut_.slot_valid_o && dut_.slot_o == slot);
       ++answer.records_read;
