@@ -1,0 +1,396 @@
+// Front of the winding profile: from triangles to visits, in exactly the golden model's order.
+//
+// Twin:    ShadowUnit::draw, walk_edge, pass_inner_edge in model/unit/winding/shadow_unit_pass1.cpp; the
+//          order is also that of tests/rtl/winding/golden_visits.h.
+// Walk:    one place moves over the map, texel by texel, with the triangle's corner functions and depth. It
+//          goes to an edge's first texel (from the lowest vertex's, or from where the edge before ended)
+//          and along with the edge's walker. A row of an inner edge that runs to -x is passed to its left
+//          end first; if a corner is to be counted in it, the place comes back to the right, and visits.
+// Timing:  plane_setup works on the next triangle, edge_setup on the next edge while one is walked. A texel
+//          of an edge a cycle, a word of a span a cycle, as long as visits are taken.
+`include "check.svh"
+module front (
+  input  logic                      clk_i,
+  input  logic                      rst_ni,
+  input  logic                      clear_i,
+  /* verilator lint_off UNUSEDSIGNAL */ // what capacities and other skips there are is the store's
+  input  shadow_pkg::settings_t     settings_i,
+  /* verilator lint_on UNUSEDSIGNAL */
+  input  logic                      tri_valid_i,
+  output logic                      tri_ready_o,
+  input  shadow_pkg::tri_t          tri_i,
+  output logic                      visit_valid_o,
+  input  logic                      visit_ready_i,
+  output shadow_pkg::visit_t        visit_o,
+  output shadow_pkg::visit_tri_t    visit_tri_o,  // of the visit at the output
+  output logic                      idle_o,       // no triangle inside
+  output logic                      setup_o,      // an edge or a triangle is being set up, nothing is walked
+  output shadow_pkg::front_events_t events_o
+);
+  localparam int unsigned C     = shadow_pkg::CoordBits;
+  localparam int unsigned T     = shadow_pkg::RowIndexBits;
+  localparam int unsigned E     = shadow_pkg::EndWidth;
+  localparam int unsigned Depth = shadow_pkg::DepthRange;
+  localparam int unsigned B     = shadow_pkg::BaseBits;
+  localparam int unsigned M     = shadow_pkg::MapBits;
+  localparam int unsigned D     = 57;
+  localparam int unsigned K     = 42;
+
+  localparam logic [2:0] Idle = 3'd0, Begin = 3'd1, Edge = 3'd2, Walk = 3'd3, Judge = 3'd4, Return = 3'd5,
+                         Gaps = 3'd6, Fill = 3'd7;
+  logic [2:0] state_q;
+
+  // ---- The multiplier that both setups share; the edge's come first ----
+  logic           edge_factors;
+  logic [C+1:0]   plane_a;
+  logic [C:0]     plane_b, edge_a, edge_b;
+  logic [2*C+2:0] product;
+  multiplier #(.ABits(C + 2), .BBits(C + 1)) products (
+    .clk_i, .a_i(edge_factors ? {1'b0, edge_a} : plane_a), .b_i(edge_factors ? edge_b : plane_b),
+    .product_o(product));
+
+  // ---- The next triangle ----
+  logic                   out_free;  // the output register takes a visit
+  logic                   next_valid, take_tri, next_clockwise, plane_idle;
+  logic [6*C-1:0]         next_vertices, vertices_q;
+  logic [2:0]             next_inner, next_upward, next_inexact;
+  shadow_pkg::visit_tri_t next_visit_tri;
+  logic [D-1:0]           next_base, next_step_x_rest, next_step_y_rest, next_start_rest;
+  logic [Depth-1:0]       next_step_x, next_step_y, next_start;
+  logic [3*K-1:0]         next_corners;
+  plane_setup plane (
+    .clk_i, .rst_ni, .clear_i, .texel_bits_i(settings_i.texel_bits),
+    .plane_tolerance_i(settings_i.plane_tolerance), .tri_valid_i, .tri_ready_o, .tri_i,
+    .factors_ready_i(!edge_factors), .factor_a_o(plane_a),
+    .factor_b_o(plane_b), .product_i(product),
+    .valid_o(next_valid), .ready_i(take_tri), .vertices_o(next_vertices), .inner_o(next_inner),
+    .upward_o(next_upward), .clockwise_o(next_clockwise), .visit_tri_o(next_visit_tri), .base_o(next_base),
+    .step_x_whole_o(next_step_x), .step_x_rest_o(next_step_x_rest), .step_y_whole_o(next_step_y),
+    .step_y_rest_o(next_step_y_rest), .start_whole_o(next_start), .start_rest_o(next_start_rest),
+    .corner_start_o(next_corners), .corner_inexact_o(next_inexact), .caster_o(events_o.caster),
+    .idle_o(plane_idle));
+
+  // ---- The triangle that is walked ----
+  logic [2:0]             inner_q, upward_q, inexact_q;
+  logic                   clockwise_q;
+  shadow_pkg::visit_tri_t visit_tri_q;
+  logic [D-1:0]           base_q, step_x_rest_q, step_y_rest_q, start_rest_q;
+  logic [Depth-1:0]       step_x_q, step_y_q, start_q;
+  logic [3*K-1:0]         corners_q;
+  assign take_tri = state_q == Idle && next_valid && out_free;
+  always_ff @(posedge clk_i) begin
+    if (take_tri) begin
+      vertices_q    <= next_vertices;
+      inner_q       <= next_inner;
+      upward_q      <= next_upward;
+      clockwise_q   <= next_clockwise;
+      visit_tri_q   <= next_visit_tri;
+      base_q        <= next_base;
+      step_x_q      <= next_step_x;
+      step_x_rest_q <= next_step_x_rest;
+      step_y_q      <= next_step_y;
+      step_y_rest_q <= next_step_y_rest;
+      start_q       <= next_start;
+      start_rest_q  <= next_start_rest;
+      corners_q     <= next_corners;
+      inexact_q     <= next_inexact;
+    end
+  end
+
+  logic [3*(C+1)-1:0] edge_dx, edge_dy;
+  for (genvar i = 0; i < 3; i++) begin : g_delta
+    localparam int unsigned J = (i + 1) % 3;
+    assign edge_dx[i*(C+1) +: C+1] = {vertices_q[2*J*C+C-1], vertices_q[2*J*C +: C]}
+                                   - {vertices_q[2*i*C+C-1], vertices_q[2*i*C +: C]};
+    assign edge_dy[i*(C+1) +: C+1] = {vertices_q[2*J*C+2*C-1], vertices_q[2*J*C+C +: C]}
+                                   - {vertices_q[2*i*C+2*C-1], vertices_q[2*i*C+C +: C]};
+  end
+  logic [1:0]   low;  // the lowest vertex
+  logic [T-1:0] centre_x, centre_y, low_x, low_y;
+  assign low      = upward_q[0] && !upward_q[2] ? 2'd0 : upward_q[1] && !upward_q[0] ? 2'd1 : 2'd2;
+  assign centre_x = T'(settings_i.map_width[M:1]);
+  assign centre_y = T'(settings_i.map_height[M:1]);
+  logic [C-1:0] low_vertex_x, low_vertex_y;
+  assign low_vertex_x = vertices_q[2*low*C +: C];
+  assign low_vertex_y = vertices_q[2*low*C+C +: C];
+  assign low_x = T'($signed(low_vertex_x) >>> settings_i.texel_bits) + centre_x;
+  assign low_y = T'($signed(low_vertex_y) >>> settings_i.texel_bits) + centre_y;
+
+  // ---- The next edge: walked ones first ----
+  logic [2:0] to_walk_q, to_pass_q, left;        // edges that are still to be set up
+  logic [1:0] chosen, edge_q, edge_next, from_vertex, to_vertex;
+  logic       choose, edge_valid, load_edge;
+  logic       edge_busy_q, edge_passes_q;        // edge_q is in setup; it will not be walked
+  assign left        = to_walk_q != '0 ? to_walk_q : to_pass_q;
+  assign chosen      = left[0] ? 2'd0 : left[1] ? 2'd1 : 2'd2;
+  assign choose      = left != '0 && (!edge_busy_q || load_edge);
+  assign edge_next   = edge_q == 2'd2 ? 2'd0 : edge_q + 2'd1;
+  assign from_vertex = upward_q[edge_q] ? edge_q : edge_next;
+  assign to_vertex   = upward_q[edge_q] ? edge_next : edge_q;
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      to_walk_q   <= '0;
+      to_pass_q   <= '0;
+      edge_busy_q <= 1'b0;
+    end else if (clear_i) begin
+      to_walk_q   <= '0;
+      to_pass_q   <= '0;
+      edge_busy_q <= 1'b0;
+    end else if (take_tri) begin
+      to_walk_q   <= ~(next_inner & {3{settings_i.skip_edges}});
+      to_pass_q   <= next_inner & {3{settings_i.skip_edges}};
+    end else begin
+      if (choose) begin
+        to_walk_q[chosen] <= 1'b0;
+        if (to_walk_q == '0) to_pass_q[chosen] <= 1'b0;
+      end
+      edge_busy_q <= choose || (edge_busy_q && !load_edge);
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (choose) begin
+      edge_q        <= chosen;
+      edge_passes_q <= to_walk_q == '0;
+    end
+  end
+
+  logic           x_positive, on_border, from_u_zero, from_v_zero, to_u_full, to_v_zero;
+  logic [T-1:0]   first_u, first_v, last_u, last_v;
+  logic [E-1:0]   from_u, from_v, to_u, to_v;
+  logic [C:0]     v_whole, u_whole;
+  logic [C-1:0]   v_rest, v_step, v_step_rest, du, u_rest, u_step, u_step_rest, dv;
+  edge_setup edges (
+    .clk_i, .rst_ni, .clear_i, .texel_bits_i(settings_i.texel_bits),
+    .edge_valid_i(edge_busy_q),
+    .from_x_i(vertices_q[2*from_vertex*C +: C]), .from_y_i(vertices_q[2*from_vertex*C+C +: C]),
+    .to_x_i(vertices_q[2*to_vertex*C +: C]), .to_y_i(vertices_q[2*to_vertex*C+C +: C]),
+    .factors_valid_o(edge_factors), .factor_a_o(edge_a), .factor_b_o(edge_b), .product_i(product[2*C-1:0]),
+    .valid_o(edge_valid), .ready_i(load_edge), .x_positive_o(x_positive), .on_border_o(on_border),
+    .first_u_o(first_u), .first_v_o(first_v), .last_u_o(last_u), .last_v_o(last_v), .from_u_o(from_u),
+    .from_v_o(from_v), .from_u_zero_o(from_u_zero), .from_v_zero_o(from_v_zero), .to_u_o(to_u), .to_v_o(to_v),
+    .to_u_full_o(to_u_full), .to_v_zero_o(to_v_zero), .v_whole_o(v_whole), .v_rest_o(v_rest),
+    .v_step_o(v_step), .v_step_rest_o(v_step_rest), .du_o(du), .u_whole_o(u_whole), .u_rest_o(u_rest),
+    .u_step_o(u_step), .u_step_rest_o(u_step_rest), .dv_o(dv));
+
+  // ---- The edge that is walked ----
+  logic       walk_step, on_edge, edge_last, along_x, walk_right, row_ends, has_segment, dot;
+  logic [T-1:0] walk_x, walk_y, texel_x, texel_y;  // of the walker, from the origin and the map's corner
+  shadow_pkg::segment_t piece;
+  logic [1:0] walked_q;      // edge
+  logic       passes_q;      // it is an inner edge that is not walked
+  logic [2:0] passed_q;      // edges before
+  edge_walker walker (
+    .clk_i, .texel_bits_i(settings_i.texel_bits), .load_i(load_edge),
+    .positive_i(clockwise_q == upward_q[edge_q]),
+    .x_positive_i(x_positive), .on_border_i(on_border), .first_u_i(first_u), .first_v_i(first_v),
+    .last_u_i(last_u), .last_v_i(last_v), .from_u_i(from_u), .from_v_i(from_v), .from_u_zero_i(from_u_zero),
+    .from_v_zero_i(from_v_zero), .to_u_i(to_u), .to_v_i(to_v), .to_u_full_i(to_u_full), .to_v_zero_i(to_v_zero),
+    .v_whole_i(v_whole), .v_rest_i(v_rest), .v_step_i(v_step), .v_step_rest_i(v_step_rest), .du_i(du),
+    .u_whole_i(u_whole), .u_rest_i(u_rest), .u_step_i(u_step), .u_step_rest_i(u_step_rest), .dv_i(dv),
+    .step_i(walk_step), .x_o(walk_x), .y_o(walk_y), .on_edge_o(on_edge), .last_o(edge_last),
+    .along_x_o(along_x), .x_positive_o(walk_right), .row_ends_o(row_ends), .has_segment_o(has_segment),
+    .dot_o(dot), .segment_o(piece));
+  assign texel_x = walk_x + centre_x;
+  assign texel_y = walk_y + centre_y;
+
+  // ---- The place ----
+  logic         restart_q;    // go to the lowest vertex's texel first
+  logic         reached;      // it is the walker's texel
+  logic         move_x, move_y, move_back, load_place;
+  logic [T-1:0] place_x_q, place_y_q, from_x, from_y;
+  logic         covers;
+  logic         fill_load, fill_x, fill_y, fill_back, filling;
+  logic [Depth-1:0] depth, fill_whole, fill_step;
+  logic [D-1:0] rest, fill_rest, fill_step_rest;
+  assign filling = state_q == Fill;
+  assign from_x  = load_place ? low_x : place_x_q;
+  assign from_y  = load_place ? low_y : place_y_q;
+  always_ff @(posedge clk_i) begin
+    if (move_x || load_place) place_x_q <= from_x + {{(T-1){move_x && move_back}}, move_x};
+    if (move_y || load_place) place_y_q <= from_y + T'(move_y);
+  end
+  corner_functions #(.DeltaBits(C + 1), .Bits(K), .Diagonal(1'b0)) corner (
+    .clk_i, .restart_i(load_place), .start_i(corners_q), .inexact_i(inexact_q), .dx_i(edge_dx), .dy_i(edge_dy),
+    .clockwise_i(clockwise_q), .move_x_i(move_x), .back_i(move_back), .move_y_i(move_y), .inside_o(covers));
+  plane_ramp #(.WholeBits(Depth), .RestBits(D)) ramp (
+    .clk_i, .load_i(filling ? fill_load : load_place),
+    .whole_i(filling ? fill_whole : start_q), .rest_i(filling ? fill_rest : start_rest_q),
+    .move_x_i(filling ? fill_x : move_x), .move_y_i(filling ? fill_y : move_y),
+    .back_i(filling ? fill_back : move_back),
+    .x_whole_i(filling ? fill_step : step_x_q), .x_rest_i(filling ? fill_step_rest : step_x_rest_q),
+    .y_whole_i(step_y_q), .y_rest_i(step_y_rest_q), .base_i(base_q), .whole_o(depth), .rest_o(rest));
+
+  // ---- Visited rows and gaps ----
+  logic         x_on_map, y_on_map, on_map, look, mark, visited, gap_valid, gap_ready, gaps_busy;
+  logic [M-1:0] gap_y, gap_from, gap_to;
+  assign x_on_map = place_x_q < T'(settings_i.map_width);
+  assign y_on_map = place_y_q < T'(settings_i.map_height);
+  assign on_map   = x_on_map && y_on_map;
+  visited_rows #(.MapBits(M), .RowIndexBits(T)) rows (
+    .clk_i, .rst_ni, .clear_i, .map_width_i(settings_i.map_width), .begin_i(state_q == Begin),
+    .visit_i(mark), .edge_i(walked_q), .x_i(place_x_q), .y_i(place_y_q[M-1:0]),
+    .lookup_i(look), .passed_i(passed_q), .visited_o(visited), .gaps_i(state_q == Gaps),
+    .gap_valid_o(gap_valid), .gap_ready_i(gap_ready), .gap_y_o(gap_y), .gap_from_o(gap_from),
+    .gap_to_o(gap_to), .gaps_busy_o(gaps_busy));
+
+  logic           word_valid;
+  logic [M-1:0]   word_x, word_y;
+  logic [3:0]     word_mask;
+  logic [4*B-1:0] word_bases;
+  span_filler filler (
+    .clk_i, .rst_ni, .clear_i, .start_i(state_q == Gaps), .start_x_i(low_x), .start_y_i(low_y),
+    .gap_valid_i(gap_valid), .gap_ready_o(gap_ready), .gap_y_i(gap_y), .gap_from_i(gap_from), .gap_to_i(gap_to),
+    .start_whole_i(start_q), .start_rest_i(start_rest_q), .step_x_whole_i(step_x_q),
+    .step_x_rest_i(step_x_rest_q), .base_i(base_q), .whole_i(depth), .rest_i(rest), .load_o(fill_load),
+    .whole_o(fill_whole), .rest_o(fill_rest), .move_x_o(fill_x), .move_y_o(fill_y), .back_o(fill_back),
+    .step_whole_o(fill_step), .step_rest_o(fill_step_rest), .word_valid_o(word_valid),
+    .word_ready_i(out_free), .x_o(word_x), .y_o(word_y), .mask_o(word_mask), .bases_o(word_bases));
+
+  // ---- Walk ----
+  logic         row_starts_q;   // the walker's texel is the first one of its row
+  logic         row_done_q;     // its row was visited
+  logic         leftward;       // of a row that is passed before it is visited
+  logic         probe_due_q, probe_hit_q;  // of such a row's texel: the look-up is answered; it has a corner
+  logic         wanted_q, wanted;          // a corner of the row is to be counted
+  logic [T-1:0] row_x_q;        // the row's first texel
+  logic [1:0]   last_vertex_q;  // that the edge before ended in; 3: none
+  logic         ready, probe, visit_it, comes_back, row_over, step_on, edge_ends;
+  assign reached    = !restart_q && place_x_q == texel_x && place_y_q == texel_y;
+  assign leftward   = passes_q && !walk_right && !(row_starts_q && row_ends);
+  assign ready      = state_q == Walk && reached && on_edge && !row_done_q && out_free;
+  assign probe      = ready && leftward;
+  assign comes_back = state_q == Return && out_free;
+  assign visit_it   = (ready && !leftward) || comes_back;
+  assign look       = probe || visit_it;
+  assign mark       = ready && y_on_map;
+  assign wanted     = wanted_q || (probe_due_q && probe_hit_q && !visited);
+  assign row_over   = state_q == Judge && !wanted;
+  assign step_on    = (ready && !(leftward && row_ends)) || row_over
+                   || (state_q == Walk && reached && (!on_edge || row_done_q));
+  assign edge_ends  = step_on && edge_last && on_edge;
+  assign walk_step  = step_on && !edge_ends;
+  assign load_place = state_q == Walk && restart_q;
+  assign load_edge  = edge_valid && (state_q == Edge || edge_ends);
+
+  always_comb begin
+    move_x    = 1'b0;
+    move_y    = 1'b0;
+    move_back = 1'b0;
+    if (walk_step) begin
+      move_x    = along_x;
+      move_y    = !along_x;
+      move_back = along_x && !walk_right;
+    end else if (state_q == Walk && !restart_q) begin
+      move_y    = place_y_q != texel_y;
+      move_x    = place_y_q == texel_y && place_x_q != texel_x;
+      move_back = place_y_q == texel_y && $signed(place_x_q) > $signed(texel_x);
+    end else if (comes_back) begin
+      move_x = place_x_q != row_x_q;
+    end
+  end
+
+  logic all_set_up;
+  assign all_set_up = left == '0 && !edge_busy_q;
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      state_q <= Idle;
+    end else if (clear_i) begin
+      state_q <= Idle;
+    end else begin
+      unique case (state_q)
+        Idle:    if (take_tri) state_q <= Begin;
+        Begin:   state_q <= Edge;
+        Edge:    if (edge_valid) state_q <= Walk;
+                 else if (all_set_up && out_free) state_q <= Gaps;
+        Walk:    if (edge_ends) state_q <= edge_valid ? Walk : Edge;
+                 else if (probe && row_ends) state_q <= Judge;
+        Judge:   state_q <= wanted ? Return : edge_ends && !edge_valid ? Edge : Walk;
+        Return:  if (comes_back && place_x_q == row_x_q) state_q <= Walk;
+        Gaps:    state_q <= Fill;
+        default: if (!gaps_busy) state_q <= Idle;
+      endcase
+      `CHECK(from_below, !(state_q == Walk && !restart_q) || $signed(place_y_q) <= $signed(texel_y))
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (load_edge) begin
+      walked_q      <= edge_q;
+      passes_q      <= edge_passes_q;
+      restart_q     <= from_vertex != last_vertex_q;
+      last_vertex_q <= to_vertex;
+    end else if (load_place) begin
+      restart_q     <= 1'b0;
+    end
+    if (state_q == Begin) last_vertex_q <= 2'd3;
+
+    if (state_q == Begin) passed_q <= '0;
+    else if (edge_ends) passed_q[walked_q] <= 1'b1;
+
+    if (load_edge || walk_step) begin
+      row_starts_q <= load_edge || !along_x;
+      row_done_q   <= 1'b0;
+    end else if (comes_back) begin
+      row_done_q   <= 1'b1;
+    end
+    if (probe && row_starts_q) row_x_q <= place_x_q;
+    probe_due_q <= probe;
+    probe_hit_q <= covers && on_map;
+    wanted_q    <= !(load_edge || (walk_step && !along_x)) && wanted;
+  end
+
+  // ---- Visits ----
+  logic               out_valid_q, out_inner_q, out_covers_q, dropped;
+  shadow_pkg::visit_t out_q, out;
+  always_comb begin
+    out = '0;
+    unique case (state_q)
+      Begin: out.kind = shadow_pkg::VisitBegin;
+      Fill: begin
+        out.kind = shadow_pkg::VisitSpan;
+        out.x    = word_x;
+        out.y    = word_y;
+        out.mask = word_mask;
+        {out.base3, out.base2, out.base1, out.base0} = word_bases;
+      end
+      default: begin
+        out.kind          = shadow_pkg::VisitEdge;
+        out.x             = place_x_q[M-1:0];
+        out.y             = place_y_q[M-1:0];
+        out.base0         = depth[Depth-1 -: B];
+        out.has_segment   = has_segment && !passes_q && !(inner_q[walked_q] && dot);
+        out.segment       = piece;
+        out.segment.inner = inner_q[walked_q];
+      end
+    endcase
+  end
+  // An edge that is not walked visits only where it has a corner to count.
+  assign dropped       = out_inner_q && !(out_covers_q && !visited);
+  assign visit_valid_o = out_valid_q && !dropped;
+  assign out_free      = !visit_valid_o || visit_ready_i;
+  always_comb begin
+    visit_o        = out_q;
+    visit_o.corner = out_covers_q && !visited;
+  end
+  assign visit_tri_o = visit_tri_q;
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) out_valid_q <= 1'b0;
+    else if (clear_i) out_valid_q <= 1'b0;
+    else if (out_free) out_valid_q <= state_q == Begin || (visit_it && on_map) || word_valid;
+  end
+  always_ff @(posedge clk_i) begin
+    if (out_free) begin
+      out_q        <= out;
+      out_inner_q  <= visit_it && passes_q;
+      out_covers_q <= visit_it && covers;
+    end
+  end
+
+  assign idle_o  = plane_idle && state_q == Idle && !out_valid_q;
+  assign setup_o = !visit_valid_o && ((state_q == Idle && !plane_idle) || state_q == Begin
+                                      || state_q == Edge);
+  assign events_o.edge_begun  = load_edge && !edge_passes_q;
+  assign events_o.edge_texel  = visit_it && on_map && !passes_q;
+  assign events_o.inner_texel = ready && on_map && passes_q;
+  assign events_o.span_texels = word_valid && out_free
+    ? 3'(word_mask[0]) + 3'(word_mask[1]) + 3'(word_mask[2]) + 3'(word_mask[3]) : 3'd0;
+endmodule
