@@ -200,7 +200,7 @@ module edge_setup #(
       5'd17:   begin factor_a = dx1; factor_b = E'(start_y); end
       5'd18:   begin factor_a = dy2; factor_b = E'(start_x); end
       5'd19:   begin factor_a = dx2; factor_b = E'(start_y); end
-      5'd23:   begin factor_a = E'(rise_q); factor_b = -E'(into_major); end
+      5'd23:   begin factor_a = E'(rise_q); factor_b = E'(0) - E'(into_major); end
       5'd24:   begin factor_a = E'($signed(dz)); factor_b = E'(to_major); end
       default: begin factor_a = E'($signed(dz)); factor_b = E'(to_minor); end
     endcase
@@ -321,5 +321,5 @@ module edge_setup #(
   assign edge_valid_o = pc_q == PcWait && ramp_valid == 3'b111 && plane_valid;
 
   logic unused;
-  assign unused = &{1'b0, tri_i, settings_i};
+  assign unused = &{1'b0, major_quotient, minor_depth_quotient, tri_i, settings_i};
 endmodule

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <random>
 
+#include "Vfront_other_dut.h"
 #include "Vfront_test_dut.h"
 #include "model/frame_setup.h"
 #include "tests/model/random_casters.h"
@@ -43,6 +44,24 @@ TEST(Front, RandomSoupsAtEveryTexelSize) {
       const bool large = soup == Soup::kWalls || soup == Soup::kHuge;
       driver.draw(random_soup(soup, large ? 2 : 12, seed), config, f, run);
       ASSERT_FALSE(HasFailure()) << "soup " << static_cast<int>(soup) << " f " << f << " seed " << seed;
+    }
+  }
+}
+
+/// Fields of other widths, odd ones among them (front_other_dut in CMakeLists.txt).
+TEST(Front, OtherFieldWidths) {
+  FrontDriver<Vfront_other_dut> driver;
+  UnitConfig config = config_of(100, 60, HiddenRemoval::kFarthest);
+  config.depth_bits = 17;
+  config.fraction_bits = 15;
+  config.slope_bits = 3;
+  config.id_bits = 9;
+  config.polygon_id_bits = 20;
+  for (int f = 16; f <= 26; ++f) {
+    for (const Soup soup : kAllSoups) {
+      const bool large = soup == Soup::kWalls || soup == Soup::kHuge;
+      driver.draw(random_soup(soup, large ? 2 : 12, 77), config, f, {});
+      ASSERT_FALSE(HasFailure()) << "soup " << static_cast<int>(soup) << " f " << f;
     }
   }
 }
