@@ -32,10 +32,9 @@ TEST(Front, RandomSoupsAtEveryTexelSize) {
     for (const Soup soup : kAllSoups) {
       std::mt19937 random(++seed);
       const auto side = [&] { return std::int64_t{1} << (random() % 11); };
-      const UnitConfig config =
-          config_of(random() % 2 ? side() : 1 + random() % 1024,
-                    random() % 2 ? side() : 1 + random() % 1024,
-                    random() % 2 ? HiddenRemoval::kFarthest : HiddenRemoval::kCentre);
+      const UnitConfig config = config_of(
+          random() % 2 ? side() : 1 + random() % 1024, random() % 2 ? side() : 1 + random() % 1024,
+          random() % 2 ? HiddenRemoval::kFarthest : HiddenRemoval::kCentre);
       FrontRun run;
       run.triangle_percent = random() % 2 ? 100 : 5 + random() % 95;
       run.visit_percent = random() % 2 ? 100 : 20 + random() % 80;
@@ -43,7 +42,8 @@ TEST(Front, RandomSoupsAtEveryTexelSize) {
       run.seed = seed;
       const bool large = soup == Soup::kWalls || soup == Soup::kHuge;
       driver.draw(random_soup(soup, large ? 2 : 12, seed), config, f, run);
-      ASSERT_FALSE(HasFailure()) << "soup " << static_cast<int>(soup) << " f " << f << " seed " << seed;
+      ASSERT_FALSE(HasFailure()) << "soup " << static_cast<int>(soup) << " f " << f << " seed "
+                                 << seed;
     }
   }
 }
@@ -101,9 +101,9 @@ TEST(Front, StressFamilies) {
     if (header.map_width > 1024 || header.map_height > 1024) continue;
     std::vector<Caster> casters = c.trace.all_casters;
     if (casters.size() > 400) casters.resize(400);
-    const FrontCycles done = driver.draw(
-        casters, config_of(header.map_width, header.map_height, HiddenRemoval::kCentre),
-        static_cast<int>(header.fraction_bits), {100, number % 2 ? 100u : 60u, 0, 1});
+    const FrontCycles done =
+        driver.draw(casters, config_of(header.map_width, header.map_height, HiddenRemoval::kCentre),
+                    static_cast<int>(header.fraction_bits), {100, number % 2 ? 100u : 60u, 0, 1});
     visits += done.counts.edge_texels;
     ASSERT_FALSE(HasFailure()) << "case " << number << " of " << c.family->name;
   }
@@ -148,13 +148,18 @@ TEST(Front, ScenesAndTheirCycles) {
         driver.draw(trace.all_casters, config_of(1024, 1024, HiddenRemoval::kCentre),
                     static_cast<int>(trace.header.fraction_bits), {});
     ASSERT_FALSE(HasFailure()) << "scale " << scale;
-    std::printf("scale %g: f %u, %llu triangles, %llu edge texels, %llu span texels, %llu cycles (%llu of setup), "
-                "%.3f an edge texel\n",
-                scale, trace.header.fraction_bits, static_cast<unsigned long long>(done.counts.casters),
-                static_cast<unsigned long long>(done.counts.edge_texels),
-                static_cast<unsigned long long>(done.counts.span_texels),
-                static_cast<unsigned long long>(done.cycles), static_cast<unsigned long long>(done.setup),
-                static_cast<double>(done.cycles) / static_cast<double>(done.counts.edge_texels));
+    std::printf(
+        "scale %g: f %u, %llu triangles, %llu edge texels, %llu span texels, %llu cycles (%llu of "
+        "setup), "
+        "%.3f an edge texel\n",
+        scale, trace.header.fraction_bits, static_cast<unsigned long long>(done.counts.casters),
+        static_cast<unsigned long long>(done.counts.edge_texels),
+        static_cast<unsigned long long>(done.counts.span_texels),
+        static_cast<unsigned long long>(done.cycles), static_cast<unsigned long long>(done.setup),
+        static_cast<double>(done.cycles) / static_cast<double>(done.counts.edge_texels));
+    // A texel of an outline a cycle, and more than one of a span.
+    EXPECT_LT(done.cycles - done.setup,
+              done.counts.edge_texels + done.counts.span_texels + 20 * done.counts.casters);
   }
 }
 

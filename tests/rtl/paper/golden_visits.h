@@ -19,10 +19,10 @@ namespace kagesen::rtl {
 struct GoldenVisit {
   enum Kind : std::uint8_t { kBegin, kEdge, kEdgesDone, kSpan };
   Kind kind = kBegin;
-  std::int32_t x = 0, y = 0;  ///< texel on the map; span: the word's first texel
-  unit::Line line;            ///< edge
-  std::uint32_t nearest = 0;  ///< edge
-  bool corner = false;        ///< edge
+  std::int32_t x = 0, y = 0;              ///< texel on the map; span: the word's first texel
+  unit::Line line;                        ///< edge
+  std::uint32_t nearest = 0;              ///< edge
+  bool corner = false;                    ///< edge
   std::uint32_t depth[4] = {0, 0, 0, 0};  ///< edge: [0]; span: where mask says
   std::uint32_t mask = 0;                 ///< span: bit i, texel x + i
   // Of the triangle, in every visit:
@@ -54,7 +54,8 @@ inline void golden_visits(const Caster& caster, const UnitConfig& config, int te
   tri.object = caster.object & ((1u << config.id_bits) - 1);
   tri.most = std::max({c.vertex[0].z, c.vertex[1].z, c.vertex[2].z});
   tri.least = std::min({c.vertex[0].z, c.vertex[1].z, c.vertex[2].z});
-  // farthest() takes the lesser of most and centre + rise: beyond the range is as good as the range.
+  // farthest() takes the lesser of most and centre + rise: beyond the range is as good as the
+  // range.
   tri.rise = polygon.farthest(tri.least) - tri.least;
   visits.push_back(tri);
 
