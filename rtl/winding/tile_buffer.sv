@@ -1,0 +1,245 @@
+// Tiles of 8 x 8 texels: receiver mask, allocation of texels, nearest depth, and the sum of what a tile holds.
+//
+// Twins:   model/unit/winding/shadow_unit_pass1.cpp (announce, visit up to the texel), shadow_unit_pass2.cpp
+//          (sum_up's result), texel_buffers.h (touch)
+// Numbers: bounds are clamped to -1 .. 2^24 - 1, signed.
+// Timing:  one visit a cycle in the tile held; another tile costs a cycle, once its word is there; a tile's
+//          first visit 16 cycles more, in which its texels are written empty.
+//
+// A visit that passes goes on with the address of its texel word; what the mask refuses ends here. With
+// settling_i the visits of kind VisitTile name tiles to settle: each goes on as the 16 words of a touched tile,
+// and its sum comes back. Otherwise they are announced fragments.
+`include "check.svh"
+module tile_buffer (
+  input  logic                                  clk_i,
+  input  logic                                  rst_ni,
+  input  logic                                  clear_i,
+  input  logic                                  skip_masked_i, // settings_t.skip_receiver_mask
+  input  logic                                  first_slot_i,  // a new frame: tile slots are given from 0 on
+  input  logic                                  settling_i,
+  // work and its tile word, from memory_window
+  input  logic                                  in_valid_i,
+  input  logic                                  in_fresh_i,
+  input  shadow_pkg::visit_t                    in_i,
+  input  logic [shadow_pkg::TileBits-1:0]       in_tile_i,
+  output logic                                  load_o,
+  output logic                                  pop_o,
+  output logic                                  clean_o,       // the tile held is as in the memory
+  output logic                                  keep_o,        // writes the tile back to the window
+  input  logic                                  keep_ready_i,
+  output logic [shadow_pkg::TileBits-1:0]       tile_o,
+  // visits that go on
+  output logic                                  out_valid_o,
+  input  logic                                  out_ready_i,
+  output logic                                  out_bare_o,    // needs no texel word
+  output logic [shadow_pkg::TexelAddrBits-2:0]  out_addr_o,
+  output shadow_pkg::visit_t                    out_o,         // mask: texels visited, of edges too
+  // the sum of a settled tile
+  input  logic                                  sum_valid_i,
+  input  logic                                  sum_covered_i, // every texel is
+  input  logic                                  sum_several_i,
+  input  logic [shadow_pkg::IdBits-1:0]         sum_object_i,
+  input  logic [24:0]                           sum_farthest_i,
+  // memory writes: the tile held, or an empty texel word
+  output logic                                  wr_valid_o,
+  input  logic                                  wr_ready_i,
+  output logic                                  wr_texels_o,   // an empty texel word at wr_addr_o
+  output logic [shadow_pkg::TexelAddrBits-2:0]  wr_addr_o,
+  output logic                                  idle_o,
+  // events
+  output logic [2:0]                            visits_o,
+  output logic [2:0]                            masked_o,
+  output logic                                  touched_o
+);
+  localparam logic [1:0] VisitTile = 2'd2;
+  localparam int unsigned B = shadow_pkg::BaseBits;
+  localparam int unsigned Step = shadow_pkg::PlaneStepBits;
+  localparam int unsigned LimitWidth = 30 - Step;  // of a depth in steps: 28 bits, rounded up, and a sign
+  localparam int unsigned CodeBits = shadow_pkg::GradientCodeBits;
+  localparam logic [24:0] None = 25'h0ffffff;
+
+  localparam logic [1:0] Run = 2'd0, Touch = 2'd1, Words = 2'd2, Sum = 2'd3;
+  logic [1:0]        state_d, state_q;
+  logic              dirty_q, unkept_q, flush_q, steep_q;
+  logic [3:0]        word_d, word_q;  // of the tile's 16
+  logic [26:0]       half_q;
+  logic [shadow_pkg::TileSlotBits-1:0] slot_q;
+  shadow_pkg::tile_t tile_d, tile_q;
+
+  logic        begins, announces, edge_visit, at_work, change, settled_back, mem_done, keep_done;
+  logic [3:0]  texels, in_mask, masked, passing;
+  assign begins     = in_i.kind == shadow_pkg::VisitBegin;
+  assign edge_visit = in_i.kind == shadow_pkg::VisitEdge;
+  assign announces  = in_i.kind == VisitTile && !settling_i;
+
+  // ---- The triangle's planes: a begin carries their gradients in place of the bases -------------
+  logic [4*B-1:0] body;
+  logic           steep;
+  logic [26:0]    half;
+  assign body = {in_i.base3, in_i.base2, in_i.base1, in_i.base0};
+  plane_steepness steepness (
+    .gradient_x_i(body[CodeBits+:CodeBits]), .gradient_y_i(body[CodeBits-1:0]),
+    .steep_o(steep), .half_o(half)
+  );
+
+  // ---- Receiver mask ----------------------------------------------------------------------------
+  // Nearest depth at or beyond the last fragment: base * 2^Step - half - 1 >= last.
+  logic [27:0]           least;
+  logic signed [LimitWidth-1:0] limit;
+  logic [5:0]            texel;
+  assign least  = 28'(tile_q.last) + 28'(half_q) + 28'd1;
+  assign limit  = $signed(LimitWidth'((30'(least) + 30'((1 << Step) - 1)) >> Step));
+  assign texel  = {in_i.y[2:0], in_i.x[2:0]};
+  assign texels = edge_visit ? 4'd1 << in_i.x[1:0] : in_i.mask;
+  assign in_mask = tile_q.mask[{texel[5:2], 2'd0}+:4];
+
+  logic signed [B-1:0] bases[4];
+  logic signed [B-1:0] low01, low23, lowest;
+  always_comb begin
+    for (int i = 0; i < 4; i++) begin
+      bases[i]  = $signed(edge_visit ? in_i.base0 : body[i*B+:B]);
+      masked[i] = texels[i] && skip_masked_i
+                  && (!in_mask[i] || (!steep_q && (LimitWidth+B)'(bases[i]) >= (LimitWidth+B)'(limit)));
+    end
+  end
+  assign passing = texels & ~masked;
+
+  // ---- Nearest depth ----------------------------------------------------------------------------
+  localparam logic [B-1:0] Farthest = {1'b0, {(B-1){1'b1}}};
+  assign low01  = (passing[0] ? bases[0] : $signed(Farthest)) < (passing[1] ? bases[1] : $signed(Farthest))
+                ? (passing[0] ? bases[0] : $signed(Farthest)) : (passing[1] ? bases[1] : $signed(Farthest));
+  assign low23  = (passing[2] ? bases[2] : $signed(Farthest)) < (passing[3] ? bases[3] : $signed(Farthest))
+                ? (passing[2] ? bases[2] : $signed(Farthest)) : (passing[3] ? bases[3] : $signed(Farthest));
+  assign lowest = low01 < low23 ? low01 : low23;
+  logic [31:0] nearest, farthest_unused;
+  logic [24:0] nearest_clamped;
+  plane_bounds bounds (
+    .base_i(lowest), .steep_i(steep_q), .half_i(half_q), .nearest_o(nearest), .farthest_o(farthest_unused)
+  );
+  assign nearest_clamped = nearest[31] ? '1 : |nearest[30:24] ? None : {1'b0, nearest[23:0]};
+
+  // ---- What becomes of the work -----------------------------------------------------------------
+  assign at_work = in_valid_i && !in_fresh_i && !flush_q;
+  always_comb begin
+    state_d     = state_q;
+    word_d      = word_q;
+    tile_d      = tile_q;
+    change      = 1'b0;
+    pop_o       = 1'b0;
+    out_valid_o = 1'b0;
+    touched_o   = 1'b0;
+    out_o       = in_i;
+    out_o.mask  = passing;
+    out_addr_o  = {tile_q.slot, texel[5:3], texel[2]};
+    case (state_q)
+      Run: if (at_work) begin
+        if (begins) begin
+          out_valid_o = 1'b1;
+          pop_o       = out_ready_i;
+        end else if (announces) begin
+          tile_d.mask[texel] = 1'b1;
+          if (body[23:0] > tile_q.last) tile_d.last = body[23:0];
+          change = 1'b1;
+          pop_o  = 1'b1;
+        end else if (settling_i) begin
+          if (tile_q.touched) state_d = Words;
+          else pop_o = 1'b1;
+        end else if (passing == '0) begin
+          pop_o = 1'b1;
+        end else if (!tile_q.touched) begin
+          state_d = Touch;
+        end else begin
+          out_valid_o = 1'b1;
+          pop_o       = out_ready_i;
+          change      = out_ready_i && $signed(nearest_clamped) < $signed(tile_q.nearest);
+          if (change) tile_d.nearest = nearest_clamped;
+        end
+      end
+      Touch: if (wr_ready_i) begin
+        word_d = word_q + 1'b1;
+        if (word_q == '1) begin
+          tile_d.touched = 1'b1;
+          tile_d.slot    = slot_q;
+          change         = 1'b1;
+          touched_o      = 1'b1;
+          state_d        = Run;
+        end
+      end
+      Words: begin
+        out_valid_o = 1'b1;
+        out_o.mask  = '1;
+        out_o.x     = shadow_pkg::MapBits'(word_q == '1);  // the tile's last
+        out_addr_o  = {tile_q.slot, word_q};
+        if (out_ready_i) begin
+          word_d = word_q + 1'b1;
+          if (word_q == '1) state_d = Sum;
+        end
+      end
+      Sum: if (sum_valid_i) begin
+        tile_d.object_valid = sum_covered_i;
+        tile_d.several      = sum_covered_i && sum_several_i;
+        tile_d.object       = sum_object_i;
+        tile_d.farthest     = sum_covered_i ? sum_farthest_i : None;
+        change  = 1'b1;
+        pop_o   = 1'b1;
+        state_d = Run;
+      end
+    endcase
+  end
+  assign out_bare_o = begins;
+  assign visits_o   = pop_o && !begins && in_i.kind != VisitTile ? count(texels) : '0;
+  assign masked_o   = pop_o && !begins && in_i.kind != VisitTile ? count(masked) : '0;
+
+  function automatic logic [2:0] count(input logic [3:0] bits);
+    count = 3'(bits[0]) + 3'(bits[1]) + 3'(bits[2]) + 3'(bits[3]);
+  endfunction
+
+  // ---- Back to the window and the memory: before another tile is loaded, or with nothing to do --------
+  assign wr_texels_o  = state_q == Touch;
+  assign wr_addr_o    = {slot_q, word_q};
+  assign settled_back = flush_q || (in_valid_i && in_fresh_i);
+  assign wr_valid_o   = wr_texels_o || (dirty_q && settled_back);
+  assign keep_o       = unkept_q && settled_back;
+  assign mem_done     = !dirty_q || wr_ready_i;
+  assign keep_done    = !unkept_q || keep_ready_i;
+  assign load_o       = in_valid_i && in_fresh_i && mem_done && keep_done;
+  assign clean_o      = !dirty_q && !unkept_q;
+  assign idle_o       = clean_o && !in_valid_i && state_q == Run;
+  assign tile_o       = tile_q;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      state_q  <= Run;
+      dirty_q  <= 1'b0;
+      unkept_q <= 1'b0;
+      flush_q  <= 1'b0;
+      word_q   <= '0;
+      slot_q   <= '0;
+    end else if (clear_i) begin
+      state_q  <= Run;
+      dirty_q  <= 1'b0;
+      unkept_q <= 1'b0;
+      flush_q  <= 1'b0;
+      word_q   <= '0;
+      slot_q   <= '0;
+    end else begin
+      state_q  <= state_d;
+      word_q   <= word_d;
+      dirty_q  <= change || (dirty_q && !(wr_valid_o && !wr_texels_o && wr_ready_i));
+      unkept_q <= change || (unkept_q && !(keep_o && keep_ready_i));
+      flush_q  <= flush_q ? !(mem_done && keep_done) : !in_valid_i && !clean_o && state_q == Run;
+      if (first_slot_i) slot_q <= '0;
+      else if (touched_o) slot_q <= slot_q + 1'b1;
+      `CHECK(passes_within_its_tile, !(out_valid_o && !out_bare_o) || tile_q.touched)
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (load_o) tile_q <= in_tile_i;
+    else if (change) tile_q <= tile_d;
+    if (at_work && begins) begin
+      half_q  <= half;
+      steep_q <= steep;
+    end
+  end
+endmodule
