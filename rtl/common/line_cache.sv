@@ -3,8 +3,13 @@
 // Lookup:  lookup_i in cycle n; from n + 1 on hit_o says whether data_o is the word, as of now: updates
 //          show one cycle later. A miss is fetched without being asked for. One lookup a cycle on hits.
 // Update:  a word goes to the cache and, by way of the write register, to the memory. It waits while its
-//          line is being filled or a fill takes the write port, so no fill ever replaces a newer word.
-// Hint:    fetches a word that is absent, unless its line is in use. Changes time, never a value.
+//          line is being filled, so no fill ever replaces a newer word. Fills and updates have a data
+//          memory each, and do not wait for each other.
+// Hint:    fetches a word that is absent. It waits while its line is in use, or holds a hinted word that
+//          no lookup asked for yet; that one it takes only while there is no lookup at all. Changes
+//          time, never a value. A hint that repeats the last one is dropped.
+// Lines:   an address's line is its low bits; with Fold they are XORed with all higher ones, so that
+//          the words of a column of a map, whose addresses differ by powers of two, spread too.
 // Memory:  tag of a read = line. A read waits while a write to its address does. After clear_i what is
 //          under way comes back and is dropped; its lines wait for that.
 `include "check.svh"
@@ -12,7 +17,8 @@ module line_cache #(
   parameter int unsigned Width    = 8,
   parameter int unsigned AddrBits = 6,
   parameter int unsigned Lines    = 4,  // a power of two, 2 or more, below 2^AddrBits; at most 2^TagBits
-  parameter int unsigned TagBits  = 8
+  parameter int unsigned TagBits  = 8,
+  parameter bit          Fold     = 1'b1
 ) (
   input  logic                clk_i,
   input  logic                rst_ni,
@@ -49,63 +55,80 @@ module line_cache #(
   localparam int unsigned LineBits = $clog2(Lines);
   localparam int unsigned KeyBits  = AddrBits - LineBits;  // of an address beside its line
 
+  function automatic logic [LineBits-1:0] line_of(input logic [AddrBits-1:0] addr);
+    line_of = addr[LineBits-1:0];
+    if (Fold) begin
+      for (int unsigned i = LineBits; i < AddrBits; i++) begin
+        line_of[i%LineBits] = line_of[i%LineBits] ^ addr[i];
+      end
+    end
+  endfunction
+
   // A line: valid and not busy: holds a word; busy: a read is under way, whose word is kept if valid.
   logic [Lines-1:0] valid_q, busy_q, valid_d, busy_d;
+  logic [Lines-1:0] updated_q, hinted_q;  // the word is in the memory of updates; nobody looked it up yet
 
-  logic                lookup_valid_q, forward_q, raced_q, hint_valid_q, rd_valid_q, wr_valid_q;
+  logic                lookup_valid_q, forward_q, raced_q, hint_valid_q, hint_raced_q, hinting_q, rd_valid_q, wr_valid_q;
   logic [AddrBits-1:0] lookup_q, hint_q, rd_addr_q, wr_addr_q;
   logic [Width-1:0]    wr_data_q;
 
   logic [AddrBits-1:0] read_addr, fill_addr;
-  logic [LineBits-1:0] read_line, lookup_line, hint_line, update_line, fill_line, rsp_line;
+  logic [LineBits-1:0] read_line, lookup_line, hint_line, update_line, fill_line, rsp_line, hint_read_line;
   logic [KeyBits-1:0]  lookup_key, hint_key;
-  logic [Width-1:0]    word;
-  logic                reading, updating, keep_rsp, fill, fill_lookup, fill_hint, can_fill, hint_held;
-  logic                data_write, key_write;
-  logic [LineBits-1:0] data_line, key_line;
+  logic [Width-1:0]    filled_word, updated_word;
+  logic                reading, updating, keep_rsp, fill, fill_lookup, fill_hint, can_fill, hint_done, hint_free;
+  logic                key_write, moving;
+  logic [LineBits-1:0] key_line;
   logic [KeyBits-1:0]  key_data;
 
-  assign lookup_line = lookup_q[LineBits-1:0];
-  assign hint_line   = hint_q[LineBits-1:0];
-  assign update_line = update_addr_i[LineBits-1:0];
+  assign lookup_line = line_of(lookup_q);
+  assign hint_line   = line_of(hint_q);
+  assign update_line = line_of(update_addr_i);
   assign rsp_line    = rsp_tag_i[LineBits-1:0];
 
   // ---- Lookup -------------------------------------------------------------------------------
   assign hit_o   = lookup_valid_q && (forward_q || (!raced_q && valid_q[lookup_line]
                    && !busy_q[lookup_line] && lookup_key == lookup_q[AddrBits-1:LineBits]));
-  assign data_o  = forward_q ? wr_data_q : word;
+  assign data_o  = forward_q ? wr_data_q : updated_q[lookup_line] ? updated_word : filled_word;
   // Read again until it is there, and after each update: it may be of this word, or take its line.
   assign reading   = lookup_i || (lookup_valid_q && (!hit_o || updating));
   assign read_addr = lookup_i ? lookup_addr_i : lookup_q;
-  assign read_line = read_addr[LineBits-1:0];
+  assign read_line = line_of(read_addr);
 
   // ---- Fill: one request waits in a register --------------------------------------------------
-  // The lookup's line is left alone by hints: what it reads now, it will write.
-  assign can_fill    = (!rd_valid_q || (rd_valid_o && rd_ready_i)) && !updating;
+  assign can_fill    = (!rd_valid_q || (rd_valid_o && rd_ready_i)) && !moving;
   assign fill_lookup = can_fill && lookup_valid_q && !hit_o && !raced_q && !busy_q[lookup_line];
-  assign hint_held   = busy_q[hint_line] || (lookup_valid_q && lookup_line == hint_line)
-                    || (valid_q[hint_line] && hint_key == hint_q[AddrBits-1:LineBits]);
-  assign fill_hint   = can_fill && !fill_lookup && hint_valid_q && !hint_held;
-  assign hint_ready_o = !hint_valid_q || hint_held || fill_hint;
+  // The lookup's line is left alone by hints: what it reads now, it will write.
+  assign hint_free   = !busy_q[hint_line] && (!lookup_valid_q
+                       || (lookup_line != hint_line && !(valid_q[hint_line] && hinted_q[hint_line])));
+  assign hint_done   = valid_q[hint_line] && hint_key == hint_q[AddrBits-1:LineBits] && !hint_raced_q;
+  assign fill_hint   = can_fill && !fill_lookup && hint_valid_q && hint_free && !hint_done && !hint_raced_q;
+  assign hint_ready_o = !hint_valid_q || hint_done || fill_hint;
   assign fill        = fill_lookup || fill_hint;
   assign fill_addr   = fill_lookup ? lookup_q : hint_q;
-  assign fill_line   = fill_addr[LineBits-1:0];
+  assign fill_line   = line_of(fill_addr);
+
+  // It is read again while it waits.
+  assign hint_read_line = hint_ready_o ? line_of(hint_addr_i) : hint_line;
 
   // ---- Update -------------------------------------------------------------------------------
   assign keep_rsp       = rsp_valid_i && valid_q[rsp_line];
-  assign update_ready_o = (!wr_valid_q || wr_ready_i) && !keep_rsp && !busy_q[update_line];
+  assign update_ready_o = (!wr_valid_q || wr_ready_i) && !busy_q[update_line];
   assign updating       = update_i && update_ready_o;
 
-  assign data_write = updating || keep_rsp;
-  assign data_line  = keep_rsp ? rsp_line : update_line;
-  assign key_write  = updating || fill;
-  assign key_line   = updating ? update_line : fill_line;
-  assign key_data   = updating ? update_addr_i[AddrBits-1:LineBits] : fill_addr[AddrBits-1:LineBits];
+  // An update of the word that is looked up finds its address in place.
+  assign moving     = updating && !(hit_o && update_addr_i == lookup_q);
+  assign key_write  = moving || fill;
+  assign key_line   = moving ? update_line : fill_line;
+  assign key_data   = moving ? update_addr_i[AddrBits-1:LineBits] : fill_addr[AddrBits-1:LineBits];
 
-  ram_1r1w #(.Width(Width), .Depth(Lines)) data_ram (
-    .clk_i, .write_i(data_write), .write_addr_i(data_line),
-    .write_data_i(keep_rsp ? rsp_data_i : update_data_i),
-    .read_i(reading), .read_addr_i(read_line), .read_data_o(word)
+  ram_1r1w #(.Width(Width), .Depth(Lines)) fill_ram (
+    .clk_i, .write_i(keep_rsp), .write_addr_i(rsp_line), .write_data_i(rsp_data_i),
+    .read_i(reading), .read_addr_i(read_line), .read_data_o(filled_word)
+  );
+  ram_1r1w #(.Width(Width), .Depth(Lines)) update_ram (
+    .clk_i, .write_i(updating), .write_addr_i(update_line), .write_data_i(update_data_i),
+    .read_i(reading), .read_addr_i(read_line), .read_data_o(updated_word)
   );
   ram_1r1w #(.Width(KeyBits), .Depth(Lines)) lookup_key_ram (
     .clk_i, .write_i(key_write), .write_addr_i(key_line), .write_data_i(key_data),
@@ -113,7 +136,7 @@ module line_cache #(
   );
   ram_1r1w #(.Width(KeyBits), .Depth(Lines)) hint_key_ram (
     .clk_i, .write_i(key_write), .write_addr_i(key_line), .write_data_i(key_data),
-    .read_i(hint_valid_i && hint_ready_o), .read_addr_i(hint_addr_i[LineBits-1:0]),
+    .read_i(1'b1), .read_addr_i(hint_read_line),
     .read_data_o(hint_key)
   );
 
@@ -130,7 +153,7 @@ module line_cache #(
     if (clear_i) begin
       valid_d = '0;
       if (fill) busy_d[fill_line] = 1'b0;
-      if (rd_valid_q && !(rd_valid_o && rd_ready_i)) busy_d[rd_addr_q[LineBits-1:0]] = 1'b0;
+      if (rd_valid_q && !(rd_valid_o && rd_ready_i)) busy_d[line_of(rd_addr_q)] = 1'b0;
     end
   end
 
@@ -140,6 +163,7 @@ module line_cache #(
       busy_q         <= '0;
       lookup_valid_q <= 1'b0;
       hint_valid_q   <= 1'b0;
+      hinting_q      <= 1'b0;
       rd_valid_q     <= 1'b0;
       wr_valid_q     <= 1'b0;
     end else begin
@@ -148,11 +172,13 @@ module line_cache #(
       if (clear_i) begin
         lookup_valid_q <= 1'b0;
         hint_valid_q   <= 1'b0;
+        hinting_q      <= 1'b0;
         rd_valid_q     <= 1'b0;
         wr_valid_q     <= 1'b0;
       end else begin
         lookup_valid_q <= lookup_i || (lookup_valid_q && !lookup_end_i);
-        hint_valid_q   <= hint_ready_o ? hint_valid_i : 1'b1;
+        hint_valid_q   <= hint_ready_o ? hint_valid_i && !(hinting_q && hint_addr_i == hint_q) : 1'b1;
+        hinting_q      <= hinting_q || hint_valid_i;
         rd_valid_q     <= fill || (rd_valid_q && !(rd_valid_o && rd_ready_i));
         wr_valid_q     <= updating || (wr_valid_q && !wr_ready_i);
       end
@@ -163,7 +189,8 @@ module line_cache #(
 
   always_ff @(posedge clk_i) begin
     if (lookup_i) lookup_q <= lookup_addr_i;
-    if (hint_ready_o) hint_q <= hint_addr_i;
+    if (hint_valid_i && hint_ready_o) hint_q <= hint_addr_i;
+    hint_raced_q <= key_write && key_line == hint_read_line;
     if (fill) rd_addr_q <= fill_addr;
     if (updating) begin
       wr_addr_q <= update_addr_i;
@@ -171,13 +198,23 @@ module line_cache #(
     end
     if (reading) begin
       forward_q <= updating && update_addr_i == read_addr;
-      raced_q   <= (data_write && data_line == read_line) || (key_write && key_line == read_line);
+      raced_q   <= (updating && update_line == read_line) || (keep_rsp && rsp_line == read_line)
+                || (key_write && key_line == read_line);
+    end
+    if (lookup_valid_q) hinted_q[lookup_line] <= 1'b0;
+    if (updating) begin
+      updated_q[update_line] <= 1'b1;
+      hinted_q[update_line]  <= 1'b0;
+    end
+    if (fill) begin
+      updated_q[fill_line] <= 1'b0;
+      hinted_q[fill_line]  <= fill_hint;
     end
   end
 
   assign rd_valid_o = rd_valid_q && !(wr_valid_q && wr_addr_q == rd_addr_q);
   assign rd_addr_o  = rd_addr_q;
-  assign rd_tag_o   = TagBits'(rd_addr_q[LineBits-1:0]);
+  assign rd_tag_o   = TagBits'(line_of(rd_addr_q));
   assign wr_valid_o = wr_valid_q;
   assign wr_addr_o  = wr_addr_q;
   assign wr_data_o  = wr_data_q;

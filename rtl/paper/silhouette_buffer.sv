@@ -159,6 +159,7 @@ module silhouette_buffer (
   logic [AddrBits-1:0]  bump_q, bump_d;      // first record never used; while wiping: next to clear
   logic [LimitBits-1:0] used_q, used_d;
   logic                 wiping_q, wiping;
+  logic                 reuse_q;  // the first freed record, which the next allocation reads, is to be hinted
 
   // ---- The record cache -------------------------------------------------------------------------
   shadow_pkg::record_t record, new_record;
@@ -176,10 +177,11 @@ module silhouette_buffer (
 
   line_cache #(
     .Width(shadow_pkg::RecordBits), .AddrBits(AddrBits), .Lines(shadow_pkg::RecordLines),
-    .TagBits(shadow_pkg::TagBits)
+    .TagBits(shadow_pkg::TagBits), .Fold(1'b0)  // the bucket spreads them
   ) cache (
     .clk_i, .rst_ni, .clear_i(clear_i || (wipe_i && !wiping_q)),
-    .hint_valid_i, .hint_ready_o, .hint_addr_i,
+    .hint_valid_i(hint_valid_i || reuse_q), .hint_ready_o,
+    .hint_addr_i(hint_valid_i ? hint_addr_i : free_q),
     .lookup_i(lookup), .lookup_end_i(lookup_end), .lookup_addr_i(lookup_addr),
     .hit_o(hit), .data_o(record),
     .update_i(wiping || (act && write && (!touch || texel_ready_i))), .update_ready_o(record_ready),
@@ -947,16 +949,20 @@ module silhouette_buffer (
       state_q    <= Idle;
       wiping_q   <= 1'b0;
       has_free_q <= 1'b0;
+      reuse_q    <= 1'b0;
       used_q     <= '0;
     end else begin
       wiping_q <= wipe_i && !clear_i;
       if (clear_i || (wipe_i && !wiping_q)) begin
         state_q    <= Idle;
         has_free_q <= 1'b0;
+        reuse_q    <= 1'b0;
         used_q     <= '0;
       end else begin
         if (start_i && ready_o) state_q <= Begin;
         else if (fire) state_q <= state_d;
+        if (fire && state_q == Reuse) reuse_q <= record.has_more;
+        else if (hint_ready_o && !hint_valid_i) reuse_q <= 1'b0;
         if (fire) begin
           has_free_q <= has_free_d;
           used_q     <= used_d;

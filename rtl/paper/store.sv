@@ -66,6 +66,7 @@ module store (
   localparam int unsigned PtrBits   = $clog2(Depth);
   // An outline crosses at most so many texels of the map.
   localparam int unsigned EmptiedDepth = 8 << MapBits;
+  localparam int unsigned EmptiedAhead = 32;
   localparam int unsigned PlaceBits   = 2 + 2 * MapBits;
   localparam int unsigned EmptiedBits = 2 * MapBits + DepthBits;
 
@@ -77,16 +78,18 @@ module store (
   logic [1:0]             place_kind;
   logic [MapBits-1:0]     place_x, place_y;
   logic                   texel_hint_ready, record_hint_ready;
+  logic                   hint_emptied, edges_done;
+  logic [MapBits-1:0]     listed_x, listed_y;
   logic [shadow_pkg::RecordAddrBits-1:0] hint_bucket;
   logic [shadow_pkg::TexelAddrBits-1:0]  hint_texel;
 
   assign hints_ready   = texel_hint_ready && record_hint_ready;
-  assign visit_ready_o = place_ready && hints_ready && !wipe_i;
+  assign visit_ready_o = place_ready && hints_ready && !hint_emptied && !wipe_i;
   // Nothing is to be done for VisitBegin: its triangle comes with every visit.
   assign push = visit_valid_i && visit_ready_o && visit_i.kind != shadow_pkg::VisitBegin;
 
   address_generator hint_address (
-    .settings_i, .x_i(visit_i.x), .y_i(visit_i.y), .bucket_o(hint_bucket), .texel_o(hint_texel)
+    .settings_i, .x_i(hint_emptied ? listed_x : visit_i.x), .y_i(hint_emptied ? listed_y : visit_i.y), .bucket_o(hint_bucket), .texel_o(hint_texel)
   );
   fifo #(.Width(PlaceBits), .Depth(shadow_pkg::VisitFifoDepth)) places (
     .clk_i, .rst_ni, .clear_i, .valid_i(push), .ready_o(place_ready),
@@ -99,26 +102,39 @@ module store (
     .read_i(take_place), .read_addr_i(head_q), .read_data_o({visit_tri, visit})
   );
 
-  // ---- Emptied entries --------------------------------------------------------------------------
-  logic               emptied, emptied_valid, take_emptied, emptied_none, emptied_ready;
+  // ---- Emptied entries: a list; from when the triangle's VisitEdgesDone is in the queue on, its first
+  // ones are hinted and stand in a short queue of their own.
+  logic               emptied, emptied_valid, take_emptied, list_none, soon_none, list_ready, soon_ready;
+  logic               listed_valid;
   logic [MapBits-1:0] emptied_x, emptied_y, x, y;
-  logic [DepthBits-1:0] emptied_depth;
+  logic [DepthBits-1:0] emptied_depth, listed_depth;
+  logic [PtrBits-1:0] closing_q;  // VisitEdgesDone in the queue
+  logic               closing, closed;
 
   fifo #(.Width(EmptiedBits), .Depth(EmptiedDepth)) emptied_list (
-    .clk_i, .rst_ni, .clear_i, .valid_i(emptied), .ready_o(emptied_ready),
+    .clk_i, .rst_ni, .clear_i, .valid_i(emptied), .ready_o(list_ready),
     .data_i({x, y, visit.depth0}),
-    .valid_o(emptied_valid), .ready_i(take_emptied), .data_o({emptied_x, emptied_y, emptied_depth}),
-    .empty_o(emptied_none)
+    .valid_o(listed_valid), .ready_i(hint_emptied && hints_ready),
+    .data_o({listed_x, listed_y, listed_depth}), .empty_o(list_none)
   );
+  assign hint_emptied = listed_valid && soon_ready && closing_q != '0;
+  fifo #(.Width(EmptiedBits), .Depth(EmptiedAhead)) emptied_soon (
+    .clk_i, .rst_ni, .clear_i, .valid_i(hint_emptied && hints_ready), .ready_o(soon_ready),
+    .data_i({listed_x, listed_y, listed_depth}),
+    .valid_o(emptied_valid), .ready_i(take_emptied), .data_o({emptied_x, emptied_y, emptied_depth}),
+    .empty_o(soon_none)
+  );
+  assign closing = push && visit_i.kind == shadow_pkg::VisitEdgesDone;
+  assign closed  = take_place && edges_done;
 
   // ---- The next operation: a visit, or after the edges an emptied entry ---------------------------
-  logic               done, ready, start, edges_done, no_emptied;
+  logic               done, ready, start, no_emptied;
   logic [MapBits-1:0] next_x, next_y;
   logic [shadow_pkg::RecordAddrBits-1:0] next_bucket;
   logic [shadow_pkg::TexelAddrBits-1:0]  next_texel;
 
   assign edges_done   = place_valid && place_kind == shadow_pkg::VisitEdgesDone;
-  assign no_emptied   = emptied_none && !emptied;
+  assign no_emptied   = list_none && soon_none && !emptied;
   assign start        = edges_done ? emptied_valid : place_valid;
   assign take_emptied = edges_done && emptied_valid && ready;
   assign take_place   = edges_done ? no_emptied && ready : place_valid && ready;
@@ -141,7 +157,8 @@ module store (
 
   texel_buffers texels (
     .clk_i, .rst_ni, .clear_i, .settings_i, .wipe_i, .wiped_o(texels_wiped),
-    .hint_valid_i(push && visit_i.kind != shadow_pkg::VisitEdgesDone), .hint_ready_o(texel_hint_ready),
+    .hint_valid_i((hint_emptied && hints_ready) || (push && visit_i.kind != shadow_pkg::VisitEdgesDone)),
+     .hint_ready_o(texel_hint_ready),
     .hint_addr_i(hint_texel),
     .lookup_i(start && ready), .lookup_end_i(done), .lookup_addr_i(next_texel), .hit_o(texel_hit),
     .select_i(texel_select), .texel_o(texel), .edges_o(texel_edges),
@@ -156,7 +173,8 @@ module store (
 
   silhouette_buffer records (
     .clk_i, .rst_ni, .clear_i, .settings_i, .wipe_i, .wiped_o(records_wiped),
-    .hint_valid_i(push && visit_i.kind == shadow_pkg::VisitEdge), .hint_ready_o(record_hint_ready),
+    .hint_valid_i((hint_emptied && hints_ready) || (push && visit_i.kind == shadow_pkg::VisitEdge)),
+     .hint_ready_o(record_hint_ready),
     .hint_addr_i(hint_bucket),
     .start_i(start), .ready_o(ready), .kind_i(place_kind), .x_i(next_x), .y_i(next_y),
     .bucket_i(next_bucket), .depth_i(emptied_depth), .visit_i(visit), .tri_i(visit_tri),
@@ -173,7 +191,7 @@ module store (
   );
 
   assign done         = busy_q && ready;
-  assign idle_o       = places_empty && emptied_none && !busy_q && texels_idle && records_idle;
+  assign idle_o       = places_empty && list_none && soon_none && !busy_q && texels_idle && records_idle;
   assign wiped_o      = texels_wiped && records_wiped;
   assign settled_o    = settle_i && idle_o;
   assign frag_ready_o = 1'b1;
@@ -189,16 +207,19 @@ module store (
     if (!rst_ni) begin
       head_q <= '0;
       tail_q <= '0;
+      closing_q <= '0;
       busy_q <= 1'b0;
     end else if (clear_i) begin
       head_q <= '0;
       tail_q <= '0;
+      closing_q <= '0;
       busy_q <= 1'b0;
     end else begin
       if (take_place) head_q <= head_q + 1'b1;
       if (push) tail_q <= tail_q + 1'b1;
+      closing_q <= closing_q + PtrBits'(closing) - PtrBits'(closed);
       busy_q <= ready ? start : busy_q;
-      `CHECK(emptied_has_room, !emptied || emptied_ready)
+      `CHECK(emptied_has_room, !emptied || list_ready)
       `CHECK(spans_start_at_words, !(push && visit_i.kind == shadow_pkg::VisitSpan) || visit_i.x[1:0] == 2'd0)
     end
   end

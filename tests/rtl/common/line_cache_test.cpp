@@ -136,7 +136,7 @@ TEST(LineCache, OneAWordACycleOnHits) {
       dut.lookup_addr_i = last;
     }
     dut.eval();
-    if (dut.update_i && !dut.update_ready_o) {  // a fill had the port
+    if (dut.update_i && !dut.update_ready_o) {
       FAIL() << "an update had to wait";
     }
     bench.finish();
@@ -152,13 +152,13 @@ TEST(LineCache, HintHidesLatency) {
   for (int cycle = 0; cycle < 60; ++cycle) {
     bench.start();
     dut.hint_valid_i = cycle < 4;
-    dut.hint_addr_i = 5 + cycle;
+    dut.hint_addr_i = cycle;
     dut.lookup_i = cycle >= 40 && cycle < 44;
-    dut.lookup_addr_i = 5 + cycle - 40;
+    dut.lookup_addr_i = cycle - 40;
     dut.eval();
     if (cycle > 40 && cycle <= 44) {
       ASSERT_TRUE(dut.hit_o);
-      ASSERT_EQ(dut.data_o, bench.expected[5 + cycle - 41]);
+      ASSERT_EQ(dut.data_o, bench.expected[cycle - 41]);
     }
     bench.finish();
   }

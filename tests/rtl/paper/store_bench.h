@@ -38,6 +38,10 @@ class StoreBench {
     dut_.rst_ni = 1;
   }
 
+  ~StoreBench() { dut_.final(); }
+  StoreBench(const StoreBench&) = delete;
+  StoreBench& operator=(const StoreBench&) = delete;
+
   /// A frame from wiping on. @param offer_percent  how often a visit is offered
   StoreCounts run(const std::vector<GoldenVisit>& visits, std::uint32_t texel_bits,
                   unsigned offer_percent) {

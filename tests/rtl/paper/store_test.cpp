@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <iostream>
 #include <random>
 #include <sstream>
 
@@ -203,6 +204,36 @@ TEST(Store, StartsAnewAfterClear) {
     compare(bench, config, FrameSetup{}, scene.frame.casters, 100, "seed " + std::to_string(seed));
     if (testing::Test::HasFatalFailure()) return;
   }
+}
+
+/// Cycles a visit on a scene, with a memory of 20 cycles and a front that always has a visit.
+void scene_speed(double scale, double bound) {
+  CaptureOptions options;
+  options.image_width = options.image_height = 16;  // fragments play no part
+  options.scale_x = options.scale_y = scale;
+  Trace trace;
+  capture(make_builtin("solids"), options, trace);
+  const UnitConfig config;
+  const FrameSetup setup = make_frame_setup(trace, config);
+  std::vector<Caster> casters = trace.all_casters;
+  for (Caster& c : casters) {
+    if (c.object < setup.unit_ids.size()) c.object = setup.unit_ids[c.object];
+  }
+  const auto visits = golden_visits(casters, config, static_cast<int>(setup.fraction_bits));
+  Bench bench(config, PaperWidths{}, MemorySettings{});
+  const StoreCounts counts = bench.run(visits, setup.fraction_bits, 100);
+  const std::uint64_t items = counts.edge_visits + counts.span_visits;
+  const double each = static_cast<double>(counts.cycles) / static_cast<double>(items);
+  std::ostringstream causes;
+  for (std::size_t i = 0; i < 10; ++i) causes << ' ' << counts.causes[i];
+  std::cout << "scale " << scale << ": " << counts.edge_visits << " edge visits, "
+            << counts.span_visits << " span words, " << each << " cycles each; causes"
+            << causes.str() << '\n';
+  EXPECT_LT(each, bound);
+}
+TEST(Store, CyclesOfAScene) {
+  scene_speed(1, 14);
+  scene_speed(16, 7);
 }
 
 }  // namespace
