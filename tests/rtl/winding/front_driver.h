@@ -89,13 +89,13 @@ class FrontDriver {
       cycles.setup += dut_.setup_o != 0;
       cycles.visits += taken;
       count();
+      const bool idle = dut_.idle_o && next == tris.size();
       if (dut_.tri_valid_i && dut_.tri_ready_o) {
         offered = false;
         const bool was_plane = tris[next].facet.plane != Facet::kOwnPlane && !plane_sent;
         plane_sent = was_plane;
         if (!was_plane) ++next;
       }
-      const bool idle = dut_.idle_o && next == tris.size() && !offered;
       clock();
       if (idle) break;
       if (quiet > 100'000) {

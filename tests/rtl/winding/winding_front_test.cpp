@@ -35,7 +35,7 @@ TEST(WindingFront, RandomFramesGiveTheGoldenVisits) {
 TEST(WindingFront, StressFamiliesGiveTheGoldenVisits) {
   stress::CaseOptions options;
   options.profile = Profile::kWinding;
-  for (std::uint64_t number = 0; number < 3 * stress::families().size(); ++number) {
+  for (std::uint64_t number = 0; number < 6 * stress::families().size(); ++number) {
     const stress::StressCase c = stress::make_case(3, number, options);
     SCOPED_TRACE(::testing::Message() << "case " << number << " " << c.family->name);
     UnitConfig config = winding_config(Semantics::kPhysical);
