@@ -87,7 +87,7 @@ module shadow_decision #(
 
   logic                                 valid_q;
   logic [SlotBits-1:0]                  slot_q;
-  logic [L-1:0]                         there_q, holds_q;  // line i exists; and holds the point
+  logic [L-1:0]                         there_q, holds_q;  // line i exists; holds the point, if so
   logic                                 texels_q;  // the record is of this texel
   logic                                 used_q, beyond_q, own_q, vertex_q, has_more_q, has_next_q;
   logic [AddrBits-1:0]                  more_q, next_q;
@@ -109,7 +109,7 @@ module shadow_decision #(
     lines_q    <= record_i.lines;
     for (int i = 0; i < L; i++) begin
       there_q[i] <= shadow_pkg::LineCountBits'(i) < record_i.count;
-      holds_q[i] <= shadow_pkg::LineCountBits'(i) < record_i.count && holds[i];
+      holds_q[i] <= holds[i];
     end
   end
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -136,7 +136,7 @@ module shadow_decision #(
     found_index = choice.index;
     candidate   = choice.candidate;
     for (int i = L - 1; i >= 0; i--) begin
-      eligible[i] = searching && holds_q[i]
+      eligible[i] = searching && there_q[i] && holds_q[i]
                     && (!in_entry_i || choice.all_lines || IndexBits'(i) > choice.index);
       if (eligible[i]) begin
         others      = found;
@@ -215,8 +215,7 @@ module shadow_decision #(
 
   // ---- Where to go from here ----
   logic asks_lines;  // the record's lines count
-  logic entry_done;  // the entry says nothing: the next one
-  logic has_next, last_there, counts;
+  logic has_next, counts;
   logic [AddrBits-1:0] next, around;
 
   assign asks_lines = in_entry_q || (match_q && end_beyond_q && !end_own_q);
@@ -241,37 +240,43 @@ module shadow_decision #(
       now.goes_on      = end_more_q;
       now.onward       = end_more_at_q;
     end
-    now_choice.searching = 1'b0;
-    now_choice.all_lines = 1'b0;
+  end
+
+  // Whether the candidate is killed is known last: both ways are worked out, then one is taken.
+  logic [1:0]            decided, in_entry, all_lines;  // bit 1: if it is killed
+  logic [2*AddrBits-1:0] ways;
+  logic                  entry_done, no_candidate;
+  assign no_candidate = searching_q && !found_q;
+  // Another texel's, or the fragment's own; or nearer entries than the fragment are at an end.
+  assign entry_done   = !asks_lines || (no_candidate && !end_more_q);
+  always_comb begin
+    if (entry_done) begin
+      decided  = {2{!has_next || (match_q && !in_entry_q && !end_beyond_q)}};
+      in_entry = 2'b00;
+      ways     = {2{next}};
+    end else if (no_candidate) begin
+      decided  = 2'b00;
+      in_entry = 2'b11;
+      ways     = {2{end_more_at_q}};
+    end else begin
+      decided[0]  = around == now.candidate_at;  // it has come round
+      in_entry[0] = 1'b1;
+      decided[1]  = !now.others && !now.goes_on && !has_next;
+      in_entry[1] = now.others || now.goes_on;
+      ways = {now.others ? now.candidate_at : now.goes_on ? now.onward : next, around};
+    end
+    all_lines = {no_candidate || !now.others, no_candidate};
+  end
+  assign decided_o       = killed ? decided[1] : decided[0];
+  assign next_in_entry_o = killed ? in_entry[1] : in_entry[0];
+  assign next_at_o       = killed ? ways[AddrBits +: AddrBits] : ways[0 +: AddrBits];
+  assign dark_o          = !killed && !entry_done;  // where decided_o
+
+  always_comb begin
+    now_choice.searching = no_candidate || killed;
+    now_choice.all_lines = killed ? all_lines[1] : all_lines[0];
     now_choice.index     = index_q;
     now_choice.candidate = candidate_q;
-
-    dark_o          = 1'b0;
-    entry_done      = 1'b0;
-    next_in_entry_o = 1'b1;
-    next_at_o       = around;
-    last_there      = 1'b0;
-    if (!asks_lines) begin
-      // Another texel's, or the fragment's own; or nearer entries than the fragment are at an end.
-      entry_done = 1'b1;
-      last_there = match_q && !end_beyond_q;
-    end else if (searching_q && !found_q) begin
-      now_choice.searching = 1'b1;
-      now_choice.all_lines = 1'b1;
-      entry_done    = !end_more_q;
-    end else if (killed) begin
-      now_choice.searching = 1'b1;
-      now_choice.all_lines = !now.others;
-      next_at_o     = now.others ? now.candidate_at : now.onward;
-      entry_done    = !now.others && !now.goes_on;
-    end else begin
-      dark_o = around == now.candidate_at;  // it has come round
-    end
-    if (entry_done) begin
-      next_in_entry_o = 1'b0;
-      next_at_o       = next;
-    end
-    decided_o = dark_o || (entry_done && (last_there || !has_next));
   end
 
   logic keep;

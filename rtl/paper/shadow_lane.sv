@@ -189,16 +189,23 @@ module shadow_lane (
   // ---- Texel word: early decision (Table 4) -----------------------------------------------------
   logic                 early_q;
   logic [SlotBits-1:0]  early_slot_q;
-  shadow_pkg::texel_t   early_texel_q;
+  shadow_pkg::texel_t   early_texel;  // of the word that came
   logic [MapBits-1:0]   look_x, look_y;
   logic [DepthBits-1:0] look_depth;
   logic [IdBits-1:0]    look_object;
   logic                 own, covered_dark, lookup;
   logic [AddrBits-1:0]  hash, bucket;
 
-  always_ff @(posedge clk_i) begin
-    early_slot_q  <= texel_rsp_tag_i[SlotBits-1:0];
-    early_texel_q <= texel_rsp_data_i[texel_rsp_tag_i[SlotBits +: WordBits] * TexelBits +: TexelBits];
+  always_ff @(posedge clk_i) early_slot_q <= texel_rsp_tag_i[SlotBits-1:0];
+  // Which of the word's texels it is comes back with the tag; or, without room there, a cycle later.
+  if (SlotBits + WordBits <= TagBits) begin : g_texel_by_tag
+    always_ff @(posedge clk_i) begin
+      early_texel <= texel_rsp_data_i[texel_rsp_tag_i[SlotBits +: WordBits] * TexelBits +: TexelBits];
+    end
+  end else begin : g_texel_by_slot
+    logic [shadow_pkg::TexelDataBits-1:0] word_q;
+    always_ff @(posedge clk_i) word_q <= texel_rsp_data_i;
+    assign early_texel = word_q[look_x[WordBits-1:0] * TexelBits +: TexelBits];
   end
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) early_q <= 1'b0;
@@ -206,11 +213,11 @@ module shadow_lane (
   end
 
   assign {look_y, look_x, look_depth, look_object} = look;
-  assign own          = early_texel_q.covered && early_texel_q.id == look_object;
-  assign covered_dark = !own && look_depth > early_texel_q.depth;
+  assign own          = early_texel.covered && early_texel.id == look_object;
+  assign covered_dark = !own && look_depth > early_texel.depth;
   assign early        = early_q;
   assign early_slot   = early_slot_q;
-  assign early_final  = covered_dark || !early_texel_q.edge_flag || (own && settings_i.own_id_literal);
+  assign early_final  = covered_dark || !early_texel.edge_flag || (own && settings_i.own_id_literal);
   assign early_verdict.dark = covered_dark;
   assign early_verdict.by   = covered_dark ? shadow_pkg::ByBuffer : shadow_pkg::ByNothing;
   assign lookup       = early && !early_final;
@@ -344,6 +351,6 @@ module shadow_lane (
   end
 
   logic unused_fields;
-  assign unused_fields = ^{frag_i, settings_i, texel_rsp_tag_i, slb_rsp_tag_i, early_texel_q.overflow,
+  assign unused_fields = ^{frag_i, settings_i, texel_rsp_tag_i, slb_rsp_tag_i, early_texel.overflow,
                            more_empty, lookup_empty};
 endmodule
