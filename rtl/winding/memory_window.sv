@@ -50,6 +50,13 @@ module memory_window #(
   input  logic [Width-1:0]       rsp_data_i
 );
   localparam int unsigned KeyBits = AddrBits - LineBits;
+  // Neighbours along either axis of the map are to have different lines: all of the address plays a part.
+  function automatic logic [LineBits-1:0] line_of(input logic [AddrBits-1:0] addr);
+    line_of = addr[LineBits-1:0];
+    for (int unsigned i = LineBits; i < AddrBits; i++) begin
+      line_of[i%LineBits] = line_of[i%LineBits] ^ addr[i];
+    end
+  endfunction
   localparam int unsigned SeqBits = $clog2(Depth) + 2;  // pieces inside: Depth + 2 at most
 
   logic [Lines-1:0] valid_q, busy_q;  // has a word; it is being fetched
@@ -67,7 +74,7 @@ module memory_window #(
 
   assign in_ready_o = payload_ready && (!entry_valid_q || push);
   assign accept     = in_valid_i && in_ready_o;
-  assign entry_line = entry_addr_q[LineBits-1:0];
+  assign entry_line = line_of(entry_addr_q);
   assign entry_key  = entry_addr_q[AddrBits-1:LineBits];
   assign newest     = last_valid_q && last_line_q == entry_line;  // its key may not be in the memory yet
   assign key        = newest ? last_key_q : ram_key;
@@ -89,7 +96,7 @@ module memory_window #(
   ram_1r1w #(.Width(KeyBits + SeqBits), .Depth(Lines)) key_ram (
     .clk_i, .write_i(push && !entry_bare_q), .write_addr_i(entry_line),
     .write_data_i({entry_key, pushed_q}),
-    .read_i(accept), .read_addr_i(in_addr_i[LineBits-1:0]), .read_data_o({ram_key, ram_seq})
+    .read_i(accept), .read_addr_i(line_of(in_addr_i)), .read_data_o({ram_key, ram_seq})
   );
   fifo #(.Width(PayloadBits), .Depth(Depth)) payloads (
     .clk_i, .rst_ni, .clear_i, .valid_i(accept), .ready_o(payload_ready), .data_i(in_payload_i),
@@ -106,7 +113,7 @@ module memory_window #(
     .clk_i, .rst_ni, .clear_i, .valid_i(push), .ready_o(line_ready), .data_i({entry_bare_q, entry_addr_q}),
     .valid_o(line_valid), .ready_i(next_take), .data_o({next_bare, next_addr}), .empty_o(line_empty)
   );
-  assign next_line   = next_addr[LineBits-1:0];
+  assign next_line   = line_of(next_addr);
   // The word of the piece before: the owner has it or is about to load it.
   assign next_same   = newest_valid_q && newest_line_q == next_line;
   // The held word is not here as it now is: it comes back when the owner loads another one.
@@ -196,7 +203,7 @@ module memory_window #(
     end
     if (load_i) begin
       held_addr_q <= ahead_addr_q;
-      held_line_q <= ahead_addr_q[LineBits-1:0];
+      held_line_q <= line_of(ahead_addr_q);
     end
   end
 endmodule

@@ -12,6 +12,6 @@ module plane_bounds (
 );
   logic [31:0] centre;
   assign centre = {base_i[shadow_pkg::BaseBits-1], base_i, {shadow_pkg::PlaneStepBits{1'b0}}};
-  assign nearest_o  = steep_i ? 32'h8000_0000 : centre + ~32'(half_i);
-  assign farthest_o = steep_i ? 32'h7fff_ffff : centre + 32'(half_i);
+  assign nearest_o  = steep_i ? 32'h8000_0000 : centre - {5'd0, half_i} - 32'd1;
+  assign farthest_o = steep_i ? 32'h7fff_ffff : centre + {5'd0, half_i};
 endmodule

@@ -93,33 +93,33 @@ module texel_buffers (
   assign evaluate = at_work && !begins && !running_q && !sums_q;
 
   for (genvar i = 0; i < 4; i++) begin : g_texel
-    shadow_pkg::texel_t      texel;
-    shadow_pkg::threshold_t  plane;
-    logic [B-1:0]            base;
+    logic [1:0]                    kind;  // texel_t and its threshold_t, field by field
+    logic [shadow_pkg::IdBits-1:0] owner;
+    logic [shadow_pkg::WordBits-1:0] word;
+    logic [B-1:0]            base, plane_base;
     logic signed [B:0]       behind;  // the visit behind the plane, at the centre, in steps
     logic [B:0]              margin;  // for one of them to be hidden by the other
     logic                    owned, same, bounded, plane_kind;
-    assign texel      = word_q[i*T+:T];
-    assign plane      = texel.word[shadow_pkg::ThresholdBits-1:0];
+    assign {kind, owner, word} = word_q[i*T+:T];
+    assign plane_base = word[2*CodeBits+:B];
     assign base       = span ? body[i*B+:B] : in_i.base0;
-    assign behind     = $signed({base[B-1], base}) - $signed({plane.base[B-1], plane.base});
+    assign behind     = $signed({base[B-1], base}) - $signed({plane_base[B-1], plane_base});
     assign margin     = (B + 1)'((29'(half_q[i*27+:27]) + 29'(tri_half_q) + 29'(1 << Step)) >> Step);
-    assign plane_kind = texel.kind == shadow_pkg::TexelPlane;
-    assign owned      = !paper_i || texel.object == tri_q.object;
-    assign same       = behind == '0 && plane.gradient_x == tri_q.gradient_x
-                        && plane.gradient_y == tri_q.gradient_y && texel.object == tri_q.object;
+    assign plane_kind = kind == shadow_pkg::TexelPlane;
+    assign owned      = !paper_i || owner == tri_q.object;
+    assign same       = behind == '0 && word[2*CodeBits-1:0] == {tri_q.gradient_x, tri_q.gradient_y} && owner == tri_q.object;
     assign bounded    = !steep_q[i] && !tri_steep_q && owned;
     assign hidden[i]  = plane_kind && bounded && behind >= $signed(margin);
-    assign put[i]     = span && (texel.kind == shadow_pkg::TexelEmpty
+    assign put[i]     = span && (kind == shadow_pkg::TexelEmpty
                         || (plane_kind && !same && bounded && -behind >= $signed(margin)));
     always_comb begin
-      case (texel.kind)
+      case (kind)
         shadow_pkg::TexelEmpty:    slow[i] = !span && !nothing;
         shadow_pkg::TexelPlane:    slow[i] = !hidden[i] && !same && !put[i] && !nothing;
         shadow_pkg::TexelOverflow: slow[i] = !nothing;
-        shadow_pkg::TexelList:     slow[i] = !nothing || texel.word[shadow_pkg::ListBits-1];
+        shadow_pkg::TexelList:     slow[i] = !nothing || word[shadow_pkg::ListBits-1];
       endcase
-      if (settles) slow[i] = texel.kind == shadow_pkg::TexelList;
+      if (settles) slow[i] = kind == shadow_pkg::TexelList;
     end
     logic        data_steep;
     logic [26:0] data_half;

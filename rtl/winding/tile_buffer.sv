@@ -54,7 +54,6 @@ module tile_buffer (
   localparam logic [1:0] VisitTile = 2'd2;
   localparam int unsigned B = shadow_pkg::BaseBits;
   localparam int unsigned Step = shadow_pkg::PlaneStepBits;
-  localparam int unsigned LimitWidth = 30 - Step;  // of a depth in steps: 28 bits, rounded up, and a sign
   localparam int unsigned CodeBits = shadow_pkg::GradientCodeBits;
   localparam logic [24:0] None = 25'h0ffffff;
 
@@ -73,7 +72,7 @@ module tile_buffer (
   assign announces  = in_i.kind == VisitTile && !settling_i;
 
   // ---- The triangle's planes: a begin carries their gradients in place of the bases -------------
-  logic [4*B-1:0] body;
+  logic [4*B-1:0] body, bases;
   logic           steep;
   logic [26:0]    half;
   assign body = {in_i.base3, in_i.base2, in_i.base1, in_i.base0};
@@ -85,32 +84,34 @@ module tile_buffer (
   // ---- Receiver mask ----------------------------------------------------------------------------
   // Nearest depth at or beyond the last fragment: base * 2^Step - half - 1 >= last.
   logic [27:0]           least;
-  logic signed [LimitWidth-1:0] limit;
+  logic signed [B-1:0]   limit;
   logic [5:0]            texel;
   assign least  = 28'(tile_q.last) + 28'(half_q) + 28'd1;
-  assign limit  = $signed(LimitWidth'((30'(least) + 30'((1 << Step) - 1)) >> Step));
+  assign limit  = $signed(B'((30'(least) + 30'((1 << Step) - 1)) >> Step));
   assign texel  = {in_i.y[2:0], in_i.x[2:0]};
   assign texels = edge_visit ? 4'd1 << in_i.x[1:0] : in_i.mask;
   assign in_mask = tile_q.mask[{texel[5:2], 2'd0}+:4];
 
-  logic signed [B-1:0] bases[4];
   logic signed [B-1:0] low01, low23, lowest;
+  logic [4*B-1:0]      kept;  // bases of the texels that pass, as far as can be for the others
+  localparam logic [B-1:0] Farthest = {1'b0, {(B-1){1'b1}}};
   always_comb begin
     for (int i = 0; i < 4; i++) begin
-      bases[i]  = $signed(edge_visit ? in_i.base0 : body[i*B+:B]);
       masked[i] = texels[i] && skip_masked_i
-                  && (!in_mask[i] || (!steep_q && (LimitWidth+B)'(bases[i]) >= (LimitWidth+B)'(limit)));
+                  && (!in_mask[i] || (!steep_q && $signed(bases[i*B+:B]) >= limit));
+      kept[i*B+:B] = passing[i] ? bases[i*B+:B] : Farthest;
     end
   end
+  assign bases   = edge_visit ? {4{in_i.base0}} : body;
   assign passing = texels & ~masked;
 
   // ---- Nearest depth ----------------------------------------------------------------------------
-  localparam logic [B-1:0] Farthest = {1'b0, {(B-1){1'b1}}};
-  assign low01  = (passing[0] ? bases[0] : $signed(Farthest)) < (passing[1] ? bases[1] : $signed(Farthest))
-                ? (passing[0] ? bases[0] : $signed(Farthest)) : (passing[1] ? bases[1] : $signed(Farthest));
-  assign low23  = (passing[2] ? bases[2] : $signed(Farthest)) < (passing[3] ? bases[3] : $signed(Farthest))
-                ? (passing[2] ? bases[2] : $signed(Farthest)) : (passing[3] ? bases[3] : $signed(Farthest));
-  assign lowest = low01 < low23 ? low01 : low23;
+  function automatic logic signed [B-1:0] lower(input logic signed [B-1:0] a, input logic signed [B-1:0] b);
+    lower = a < b ? a : b;
+  endfunction
+  assign low01  = lower($signed(kept[B-1:0]), $signed(kept[2*B-1:B]));
+  assign low23  = lower($signed(kept[3*B-1:2*B]), $signed(kept[4*B-1:3*B]));
+  assign lowest = lower(low01, low23);
   logic [31:0] nearest, farthest_unused;
   logic [24:0] nearest_clamped;
   plane_bounds bounds (

@@ -42,7 +42,7 @@ void scene_speed(double scale, double bound) {
 }
 TEST(WindingStore, CyclesOfAScene) {
   scene_speed(1, 4);
-  scene_speed(16, 4);
+  scene_speed(16, 40);
 }
 
 }  // namespace
