@@ -49,7 +49,7 @@ Inputs inputs_of(const UnitConfig& config, const GateOptions& options) {
   find_tool("berkeley-abc", "berkeley-abc");
   in.tools = fmt::format("{}; OpenSTA {}", tool_version(in.yosys, {"-V"}),
                          tool_version(in.sta, {"-version"}));
-  in.package = package_text(config, options.package_sets);
+  in.package = with_package_sets(shadow_package(config), options.package_sets);
   in.sources = RtlSources(config.profile).of(options.top);
   in.flow = fmt::format("# {}\n", options.top) + read_file(scripts + "synthesis.ys.in") +
             (options.flatten ? "# flattened\n" : "");
@@ -93,20 +93,6 @@ void run_yosys(const Inputs& in, const GateOptions& options, CacheEntry& entry) 
 }
 
 }  // namespace
-
-std::string package_text(const UnitConfig& config, const std::vector<std::string>& sets) {
-  std::string text = shadow_package(config);
-  for (const std::string& set : sets) {
-    const std::size_t equals = set.find('=');
-    const std::regex constant("(localparam int unsigned " + set.substr(0, equals) + " *= )[^;]*;");
-    if (equals == std::string::npos || !std::regex_search(text, constant)) {
-      throw UserError("--package-set " + set, "names no constant of the package",
-                      "write NAME=VALUE");
-    }
-    text = std::regex_replace(text, constant, "$01" + set.substr(equals + 1) + ";");
-  }
-  return text;
-}
 
 GateReport measure_gates(const UnitConfig& config, const GateOptions& options,
                          const std::function<void(const std::string&)>& progress) {

@@ -53,9 +53,6 @@ struct GateReport {
   std::string folder;  ///< where netlist.v, timing.txt and the logs are
 };
 
-/// The package (types and widths) that a configuration gives, with `sets` applied.
-std::string package_text(const UnitConfig& config, const std::vector<std::string>& sets);
-
 /// Throws UserError when a tool or library is absent, and when Yosys or OpenSTA refuse the RTL (the
 /// message has their words).
 /// @param progress  told what is being done

@@ -19,7 +19,7 @@ using Sizes = std::set<std::pair<unsigned, unsigned>>;  ///< width, depth
 /// OpenSTA takes no parameters: each size of ram_1r1w becomes a cell of its own.
 std::string with_sized_rams(const std::string& netlist, Sizes& sizes) {
   static const std::regex ram(
-      R"(ram_1r1w #\(\s*\.Depth\(32'd(\d+)\),\s*\.Width\(32'd(\d+)\)\s*\))");
+      R"(ram_1r1w #\(\s*\.Depth\(32's?d(\d+)\),\s*\.Width\(32's?d(\d+)\)\s*\))");
   std::string text;
   auto last = netlist.begin();
   for (std::sregex_iterator found(netlist.begin(), netlist.end(), ram), end; found != end;

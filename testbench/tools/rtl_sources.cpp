@@ -61,6 +61,18 @@ void RtlSources::add_file(const std::string& path) {
   }
 }
 
+std::string with_package_sets(std::string package, const std::vector<std::string>& sets) {
+  for (const std::string& set : sets) {
+    const std::size_t equals = set.find('=');
+    const std::regex constant("(localparam int unsigned " + set.substr(0, equals) + " *= )[^;]*;");
+    if (equals == std::string::npos || !std::regex_search(package, constant)) {
+      throw UserError(set, "names no constant of the package", "write NAME=VALUE");
+    }
+    package = std::regex_replace(package, constant, "$01" + set.substr(equals + 1) + ";");
+  }
+  return package;
+}
+
 std::vector<std::string> RtlSources::modules() const {
   std::vector<std::string> names;
   for (const auto& [module, file] : files_) names.push_back(module);

@@ -31,4 +31,8 @@ std::string common_folder();  ///< of the include files
 std::string ram_file();       ///< ram_1r1w.sv
 std::string rtl_folder(Profile profile);
 
+/// The text of a package with some of its constants replaced, each given as "Name=value". Throws
+/// UserError for one that it does not have.
+std::string with_package_sets(std::string package, const std::vector<std::string>& sets);
+
 }  // namespace kagesen

@@ -1,0 +1,136 @@
+#include "testbench/formal/proofs.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <sstream>
+
+#include "testbench/tools/cache.h"
+#include "testbench/tools/process.h"
+#include "testbench/tools/rtl_sources.h"
+#include "testbench/tools/template.h"
+#include "testbench/verilator/package.h"
+#include "traces/format/error.h"
+
+namespace kagesen {
+namespace {
+
+namespace fs = std::filesystem;
+
+Proof read_proof(const fs::path& file) {
+  static const std::regex line("// (profile|package|broken): (.*)");
+  static const std::regex broken("(\\S+): `([^`]*)` => `([^`]*)`");
+  Proof proof;
+  proof.file = file.string();
+  proof.name = file.stem().string();
+  proof.name.resize(proof.name.size() - std::string("_proof").size());
+  std::istringstream text(read_file(file));
+  for (std::string words; std::getline(text, words);) {
+    std::smatch found, parts;
+    if (!std::regex_match(words, found, line)) continue;
+    const std::string value = found[2];
+    if (found[1] == "profile") {
+      proof.profile = value;
+    } else if (found[1] == "package") {
+      std::istringstream sets(value);
+      for (std::string set; sets >> set;) proof.package_sets.push_back(set);
+    } else if (std::regex_match(value, parts, broken)) {
+      proof.broken.push_back({parts[1], parts[2], parts[3]});
+    } else {
+      throw UserError(proof.file, "cannot be read: " + words, "write FILE: `old` => `new`");
+    }
+  }
+  return proof;
+}
+
+/// A copy of the file with the fault in it. Throws UserError where it does not apply: the RTL was
+/// changed and the fault must follow.
+void write_broken(const std::string& file, const BrokenCopy& broken, const fs::path& copy) {
+  std::string text = read_file(file);
+  const std::size_t at = text.find(broken.old_text);
+  if (at == std::string::npos) {
+    throw UserError(file, "does not hold `" + broken.old_text + "`",
+                    "adapt the proof's broken copies");
+  }
+  write_file(copy, text.replace(at, broken.old_text.size(), broken.new_text));
+}
+
+std::vector<std::string> sources_of(const Proof& proof, const BrokenCopy* broken,
+                                    const fs::path& folder) {
+  UnitConfig config;
+  config.profile = proof.profile == "winding" ? Profile::kWinding : Profile::kPaper;
+  write_file(folder / "shadow_pkg.sv",
+             with_package_sets(shadow_package(config), proof.package_sets));
+  RtlSources rtl(config.profile);
+  rtl.add_file(proof.file);
+  std::vector<std::string> files = rtl.of(proof.name + "_proof");
+  files.insert(files.begin(), ram_file());
+  bool applied = false;
+  for (std::string& file : files) {
+    if (!broken || fs::path(file).filename() != broken->file) continue;
+    write_broken(file, *broken, folder / "broken.sv");
+    file = "broken.sv";
+    applied = true;
+  }
+  if (broken && !applied) {
+    throw UserError(proof.file, "takes no " + broken->file, "name a file that the block takes");
+  }
+  return files;
+}
+
+}  // namespace
+
+std::vector<Proof> find_proofs() {
+  std::vector<Proof> proofs;
+  for (const auto& entry : fs::directory_iterator(source_folder() + "/testbench/formal")) {
+    const std::string stem = entry.path().stem().string();
+    const bool harness = entry.path().extension() == ".sv" && stem.size() > 6 &&
+                         stem.compare(stem.size() - 6, 6, "_proof") == 0;
+    if (harness) proofs.push_back(read_proof(entry.path()));
+  }
+  std::sort(proofs.begin(), proofs.end(),
+            [](const Proof& a, const Proof& b) { return a.name < b.name; });
+  return proofs;
+}
+
+Verdict run_proof(const Proof& proof, const BrokenCopy* broken, double limit_s) {
+  const std::string yosys = find_tool("yosys", "yosys");
+  const std::string abc = find_tool("berkeley-abc", "berkeley-abc");
+  // Nothing is taken from an earlier run; the folder keeps what the last one said.
+  const std::string variant =
+      broken ? ContentKey().add(broken->file, broken->new_text).hex() : "rtl";
+  const fs::path folder =
+      cache_folder() / "proofs" / fmt::format("{}_{}", proof.name, variant.substr(0, 8));
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  const std::vector<std::string> files = sources_of(proof, broken, folder);
+  const std::string script = read_file(source_folder() + "/testbench/formal/prove.ys.in");
+  write_file(
+      folder / "prove.ys",
+      fill_template(script, {{"INCLUDE", common_folder()},
+                             {"SOURCES", fmt::format("shadow_pkg.sv {}", fmt::join(files, " "))},
+                             {"TOP", proof.name + "_proof"}}));
+  Verdict verdict;
+  verdict.log = (folder / "abc.log").string();
+  const std::string yosys_log = (folder / "yosys.log").string();
+  const ProcessResult made =
+      run_process({yosys, "-q", "prove.ys"}, folder.string(), yosys_log, limit_s);
+  if (made.status != 0) {
+    throw UserError("Yosys on " + proof.name + "_proof",
+                    made.timed_out ? "took too long" : read_file(yosys_log), "see " + yosys_log);
+  }
+  const std::string commands =
+      fmt::format("read_aiger proof.aig; fold; orpos; strash; pdr -T {:.0f}", limit_s);
+  const ProcessResult searched =
+      run_process({abc, "-c", commands}, folder.string(), verdict.log, limit_s + 30);
+  verdict.seconds = made.seconds + searched.seconds;
+  const std::string words = read_file(verdict.log);
+  if (words.find("Property proved") != std::string::npos) verdict.outcome = Outcome::kProved;
+  if (words.find("was asserted in frame") != std::string::npos) verdict.outcome = Outcome::kRefuted;
+  return verdict;
+}
+
+}  // namespace kagesen

@@ -1,0 +1,38 @@
+#pragma once
+/// Unbounded proofs: a harness holds the properties, Yosys makes a graph of it, ABC proves or
+/// refutes.
+///
+/// NAME_proof.sv is a module of that name without reset input. Its header comment may say
+///   // profile: winding                       the package and the folder of the blocks; else paper
+///   // package: FractionBits=3 SlopeBits=3    constants that replace the package's
+///   // broken: FILE: `old` => `new`           a copy of the RTL that the proof must refuse
+#include <string>
+#include <vector>
+
+namespace kagesen {
+
+struct BrokenCopy {
+  std::string file, old_text, new_text;
+};
+struct Proof {
+  std::string name;  ///< without _proof
+  std::string file, profile = "paper";
+  std::vector<std::string> package_sets;
+  std::vector<BrokenCopy> broken;
+};
+
+/// All harnesses in testbench/formal, by name. Throws UserError where a header cannot be read.
+std::vector<Proof> find_proofs();
+
+enum class Outcome { kProved, kRefuted, kUndecided };
+struct Verdict {
+  Outcome outcome = Outcome::kUndecided;
+  double seconds = 0;
+  std::string log;  ///< file
+};
+
+/// @param broken   nullptr: the RTL as it is
+/// @param limit_s  of the search
+Verdict run_proof(const Proof& proof, const BrokenCopy* broken, double limit_s);
+
+}  // namespace kagesen
