@@ -85,10 +85,10 @@ struct UnitConfig {
 
   // RTL alone: what is built, and the memories of its bench. Verdicts do not depend on them.
   std::int64_t lanes = 1;              // of pass 2
-  std::int64_t fragment_slots = 64;    // fragments in flight a lane
-  std::int64_t visit_fifo_depth = 64;  // visits ahead of the store
+  std::int64_t fragment_slots = 128;    // fragments in flight a lane
+  std::int64_t visit_fifo_depth = 32;  // visits ahead of the store
   std::int64_t texel_lines = 64;       // texel words kept on chip in pass 1
-  std::int64_t record_lines = 64;      // SLB records kept on chip in pass 1
+  std::int64_t record_lines = 128;      // SLB records kept on chip in pass 1
   std::int64_t memory_latency = 20;    // cycles from a request to its response
   std::int64_t memory_stall = 0;       // per cent of the cycles in which a port takes nothing
   std::int64_t memory_seed = 1;        // of the stalls

@@ -14,10 +14,10 @@ package shadow_pkg;
   localparam int unsigned SegmentsPerRecord = 2;
   localparam int unsigned RecordAddrBits = 22;
   localparam int unsigned Lanes         = 1;
-  localparam int unsigned FragmentSlots = 64;  // fragments in flight a lane, a power of two
-  localparam int unsigned VisitFifoDepth = 64;  // visits ahead of the store, a power of two
+  localparam int unsigned FragmentSlots = 128;  // fragments in flight a lane, a power of two
+  localparam int unsigned VisitFifoDepth = 32;  // visits ahead of the store, a power of two
   localparam int unsigned TexelLines    = 64;   // texel words kept on chip in pass 1, a power of two
-  localparam int unsigned RecordLines   = 64;  // SLB records kept on chip in pass 1, a power of two
+  localparam int unsigned RecordLines   = 128;  // SLB records kept on chip in pass 1, a power of two
 
   localparam int unsigned MapBits       = 10;  // of a texel index; the map's sides are at most 2^MapBits
 
