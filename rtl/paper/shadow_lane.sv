@@ -137,7 +137,9 @@ module shadow_lane (
 
   logic texel_valid_q;
   logic [shadow_pkg::TexelAddrBits-1:0] texel_addr_q;
-  logic [WordBits+SlotBits-1:0]         texel_tag_q;
+  // The texel within its word travels with the tag where there is room for it.
+  localparam int unsigned TexelTagBits = SlotBits + WordBits <= TagBits ? SlotBits + WordBits : SlotBits;
+  logic [TexelTagBits-1:0]              texel_tag_q;
 
   assign known_final        = place_averted_q || place_outside_q || !on_map;
   assign known_verdict.dark = place_averted_q;
@@ -152,7 +154,7 @@ module shadow_lane (
     if (known && !known_final) begin
       texel_addr_q <= (shadow_pkg::TexelAddrBits'(texel_y) << settings_i.pitch_log2)
                       | shadow_pkg::TexelAddrBits'(texel_x[MapBits-1:WordBits]);
-      texel_tag_q  <= {texel_x[WordBits-1:0], place_slot_q};
+      texel_tag_q  <= TexelTagBits'({texel_x[WordBits-1:0], place_slot_q});
     end
   end
 
