@@ -16,5 +16,7 @@ void add_curve(CLI::App& app);
 void add_gates(CLI::App& app);
 void add_prove(CLI::App& app);
 void add_rtl(CLI::App& app);
+void add_check(CLI::App& app);
+void add_soak(CLI::App& app);
 
 }  // namespace kagesen

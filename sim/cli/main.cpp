@@ -81,6 +81,8 @@ int run_program(int argc, char** argv) {
   add_gates(app);
   add_prove(app);
   add_rtl(app);
+  add_check(app);
+  add_soak(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::RuntimeError& error) {  // all is said; only the status is left

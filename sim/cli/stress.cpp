@@ -4,7 +4,9 @@
 #include <iostream>
 #include <memory>
 
+#include "sim/cli/check_options.h"
 #include "sim/cli/commands.h"
+#include "sim/cli/lock_step_check.h"
 #include "sim/cli/nearest.h"
 #include "sim/cli/parse.h"
 #include "sim/cli/progress.h"
@@ -23,20 +25,11 @@ using stress::State;
 using stress::Totals;
 
 struct StressArguments {
-  std::string minutes, seed, cases, only_case, family, profile = "both", folder = "out/stress",
-                                                       json;
+  std::string minutes, seed, cases, only_case, family, profile = "both", engine = "golden",
+                                                       folder = "out/stress", json;
   SettingsOptions settings;
   bool resume = false;
 };
-
-std::uint64_t parse_count(const std::string& option, const std::string& text, double least,
-                          double most) {
-  const double value = parse_number(option, text, least, most);
-  if (value != static_cast<double>(static_cast<std::uint64_t>(value))) {
-    throw UserError(option, "'" + text + "' is not a whole number", "give one without a fraction");
-  }
-  return static_cast<std::uint64_t>(value);
-}
 
 void check_family(const std::string& name) {
   std::vector<std::string> names;
@@ -88,10 +81,16 @@ std::string row(const std::string& name, const Totals& t) {
 std::string given(const StressArguments& arguments) {
   std::string text;
   if (arguments.profile != "both") text += " --profile " + arguments.profile;
+  if (arguments.engine != "golden") text += " --engine " + arguments.engine;
   if (!arguments.family.empty()) text += " --family " + arguments.family;
   if (!arguments.settings.file.empty()) text += " --config " + arguments.settings.file;
   for (const std::string& set : arguments.settings.sets) text += " --set " + set;
   return text;
+}
+
+std::string what_fails(const std::string& check) {
+  const stress::Check* known = stress::find_check(check);
+  return (known ? *known : lock_step_check()).what;
 }
 
 std::string table(const State& state, const StressArguments& arguments) {
@@ -106,7 +105,7 @@ std::string table(const State& state, const StressArguments& arguments) {
   }
   text += row("all", state.total());
   for (const Failure& f : state.failures) {
-    text += fmt::format("\n{}, {}: {} in {}\n", f.family, stress::find_check(f.check)->what,
+    text += fmt::format("\n{}, {}: {} in {}\n", f.family, what_fails(f.check),
                         counted(f.violations, "verdict"), counted(f.cases, "case"));
     text += fmt::format("  smallest: case {}, {} and {}\n", f.case_number,
                         counted(f.casters, "caster"), counted(f.fragments, "fragment"));
@@ -149,6 +148,13 @@ void run_stress(const StressArguments& arguments) {
     options.seconds = 60;
   }
   options.make_engine = make_golden_engine;
+  if (arguments.engine == "rtl") {
+    for (const std::string& key : width_keys()) options.cases.given.insert(key);
+    options.prepare = plan_lock_step;
+  } else if (arguments.engine != "golden") {
+    throw UserError("--engine", "there is no '" + arguments.engine + "'",
+                    suggestion(arguments.engine, {"golden", "rtl"}));
+  }
 
   Outputs outputs;
   outputs.make_folder(arguments.folder);
@@ -208,6 +214,9 @@ void add_stress(CLI::App& app) {
   add("--case", arguments->only_case, "This case alone", "N");
   add("--family", arguments->family, "Cases of this family alone", "NAME");
   add("--profile", arguments->profile, "paper, winding or both", "NAME")->capture_default_str();
+  add("--engine", arguments->engine,
+      "golden; or rtl: holds the Verilog against golden, with the widths of one build", "NAME")
+      ->capture_default_str();
   command.add_flag("--resume", arguments->resume, "Goes on with the run whose state is in --out");
   add("--out", arguments->folder, "Folder for the state and the failing traces", "DIR")
       ->capture_default_str();

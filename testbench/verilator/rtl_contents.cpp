@@ -4,10 +4,7 @@
 
 #include "testbench/verilator/package.h"
 #include "testbench/verilator/paper_contents.h"
-#if __has_include("testbench/verilator/winding_contents.h")
 #include "testbench/verilator/winding_contents.h"
-#define KAGESEN_HAS_WINDING 1
-#endif
 
 namespace kagesen {
 namespace {
@@ -32,14 +29,8 @@ MapContents rtl_contents(const UnitConfig& config, const bench::MemoryWords& tex
       const rtl::PaperLayout layout(config, {map_bits, address_bits});
       return rtl::paper_contents(config, layout, reader_of(texels), reader_of(records));
     }
-#ifdef KAGESEN_HAS_WINDING
     const rtl::WindingLayout layout(config, {map_bits, address_bits});
     return rtl::winding_contents(config, layout, reader_of(texels), reader_of(records));
-#else
-    throw std::runtime_error("no winding contents");
-#endif
-  } catch (const bench::Failure&) {
-    throw;
   } catch (const std::runtime_error& error) {
     throw bench::Failure(error.what());
   }

@@ -37,7 +37,9 @@ class Suite {
     while (!time_is_up() && (options_.case_limit == 0 || done < options_.case_limit)) {
       const std::uint64_t number = state_.next_case;
       if (options_.family.empty() || family_of(number).name == options_.family) {
-        run_case(make_case(state_.seed, number, options_.cases));
+        StressCase test = make_case(state_.seed, number, options_.cases);
+        if (options_.prepare) options_.prepare(test);
+        run_case(test);
         ++done;
       }
       ++state_.next_case;

@@ -44,6 +44,8 @@ struct SuiteOptions {
   std::uint64_t case_limit = 0;  ///< of this call; 0: none
   double seconds = 0;            ///< of this call; 0: no limit
   EngineFactory make_engine;
+  /// May change what is checked of a case; may be empty.
+  std::function<void(StressCase&)> prepare;
   ShrinkLimits shrinking;
   std::size_t shrink_per_kind = 3;  ///< failing cases that are shrunk, of each kind of failure
   /// Takes a shrunk trace and its name, and returns the file it was written to; may be empty.
