@@ -2,7 +2,7 @@
 //
 // Twins:   model/unit/winding/shadow_unit_pass2.cpp, read_texel (the loop over a list)
 // Timing:  one record a cycle over all fragments, less what shadow_decision says. A fragment has one read
-//          under way at most; between its response and the next read lie seven cycles. Responses are always taken.
+//          under way at most; between its response and the next read lie eight cycles. Responses are always taken.
 `include "check.svh"
 module list_reader #(
   localparam int unsigned SlotBits = shadow_pkg::SlotBits
@@ -126,7 +126,9 @@ module list_reader #(
 
   shadow_decision decision (
     .clk_i, .rst_ni, .clear_i, .paper_semantics_i, .valid_i(record_valid_q),
-    .ready_o(decision_ready), .slot_i(record_slot_q), .record_i(record), .context_i(context_in), .x_i(x), .y_i(y), .depth_i(depth), .object_i(object),
+    .ready_o(decision_ready),
+    .slot_i(record_slot_q), .record_i(record), .context_i(context_in), .x_i(x), .y_i(y), .depth_i(depth),
+    .object_i(object),
     .valid_o(read), .slot_o(read_slot), .dark_o(dark), .lit_o(lit), .next_o(next),
     .context_o(context_out), .begins_o(begins), .count_o(count)
   );

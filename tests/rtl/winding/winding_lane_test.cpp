@@ -1,6 +1,6 @@
 // Pass 2 of the winding profile: the lane against the golden unit, on the golden unit's own buffers.
 //
-// With an argument `cycles [WIDTH]` the program prints cycles a fragment on the built-in scenes instead.
+// With arguments `cycles [WIDTH [LATENCY]]` the program prints cycles a fragment on the built-in scenes instead.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -160,7 +160,9 @@ TEST(ShadowLane, DecidesStressCasesAsTheGoldenUnitDoes) {
   EXPECT_GT(entries, 5000u);
 }
 
-int print_cycles(unsigned width) {
+int print_cycles(unsigned width, unsigned latency) {
+  Settings settings;
+  settings.memory.least_latency = settings.memory.most_latency = latency;
   static const char* const kCauses[] = {"fragment", "input",    "texel",    "texelport", "slb",
                                         "slbport",  "decision", "verdict", "drain"};
   double sum = 0;
@@ -170,7 +172,7 @@ int print_cycles(unsigned width) {
       if (scene.name == "sphere1m" && scale > 1) continue;  // dozens of records a fragment: minutes
       const Trace trace = frame_of(scene.name, scale, width, 1024);
       const UnitConfig config = config_of(trace);
-      Frame frame(trace, config, Settings{}, 1, false);
+      Frame frame(trace, config, settings, 1, false);
       LaneBench lane(config, frame.setup, *frame.texels, *frame.slb);
       LaneCounters n;
       const auto verdicts = lane.run(frame.fragments, {}, n, 1);
@@ -194,7 +196,8 @@ int print_cycles(unsigned width) {
 
 int main(int argc, char** argv) {
   if (argc > 1 && std::strcmp(argv[1], "cycles") == 0) {
-    return kagesen::rtl::print_cycles(argc > 2 ? unsigned(std::atoi(argv[2])) : 480);
+    return kagesen::rtl::print_cycles(argc > 2 ? unsigned(std::atoi(argv[2])) : 480,
+                                      argc > 3 ? unsigned(std::atoi(argv[3])) : 20);
   }
   testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
