@@ -3,7 +3,7 @@
 // Source:  3.3.1. Twin: the first half of setup_edge in model/unit/edge_setup.cpp.
 // Numbers: an edge goes up along y, a horizontal one up along x. Texel indices count from the map's
 //          corner, off the map too. "into": units from a texel's side to the start, as the walk goes.
-// Timing:  combinational.
+// Timing:  combinational, in three stages: the direction comes back through a register, then the axes.
 module edge_geometry (
   input  logic [4:0]                          texel_bits_i,  // f
   input  logic [shadow_pkg::MapBits:0]        map_width_i,
@@ -11,8 +11,12 @@ module edge_geometry (
   input  shadow_pkg::point_t                  a_i,  // the edge is a to b
   input  shadow_pkg::point_t                  b_i,
   output logic                                swap_o,        // it goes from b to a
+  input  logic                                swap_i,
   output logic                                x_major_o,
   output logic                                x_positive_o,
+  input  logic                                x_major_i,
+  input  logic                                x_positive_i,
+  input  logic                                rises_i,       // rise > 0
   output logic [shadow_pkg::RowIndexBits-1:0] first_x_o,     // signed, as the next three
   output logic [shadow_pkg::RowIndexBits-1:0] first_y_o,
   output logic [shadow_pkg::RowIndexBits-1:0] last_x_o,
@@ -38,12 +42,12 @@ module edge_geometry (
   assign swap_o   = b_order < a_order;
 
   logic signed [C-1:0] from_x, from_y, to_x, to_y;
-  assign from_x = swap_o ? b_i.x : a_i.x;
-  assign from_y = swap_o ? b_i.y : a_i.y;
-  assign to_x   = swap_o ? a_i.x : b_i.x;
-  assign to_y   = swap_o ? a_i.y : b_i.y;
-  assign first_depth_o = swap_o ? b_i.z[shadow_pkg::TraceDepthBits-1 -: D] : a_i.z[shadow_pkg::TraceDepthBits-1 -: D];
-  assign last_depth_o  = swap_o ? a_i.z[shadow_pkg::TraceDepthBits-1 -: D] : b_i.z[shadow_pkg::TraceDepthBits-1 -: D];
+  assign from_x = swap_i ? b_i.x : a_i.x;
+  assign from_y = swap_i ? b_i.y : a_i.y;
+  assign to_x   = swap_i ? a_i.x : b_i.x;
+  assign to_y   = swap_i ? a_i.y : b_i.y;
+  assign first_depth_o = swap_i ? b_i.z[shadow_pkg::TraceDepthBits-1 -: D] : a_i.z[shadow_pkg::TraceDepthBits-1 -: D];
+  assign last_depth_o  = swap_i ? a_i.z[shadow_pkg::TraceDepthBits-1 -: D] : b_i.z[shadow_pkg::TraceDepthBits-1 -: D];
 
   logic [C:0]   dx;  // signed
   logic [C-1:0] extent_x, extent_y;
@@ -76,16 +80,16 @@ module edge_geometry (
   assign from_y_index = R'(from_y >>> texel_bits_i);
   assign to_x_index   = R'(to_x >>> texel_bits_i);
   assign to_y_index   = R'(to_y >>> texel_bits_i);
-  assign first_x_o = from_x_index + centre_x - R'(!x_positive_o && from_x_border);
+  assign first_x_o = from_x_index + centre_x - R'(!x_positive_i && from_x_border);
   assign first_y_o = from_y_index + centre_y;
-  assign last_x_o  = to_x_index + centre_x - R'(x_positive_o && dx != '0 && to_x_border);
-  assign last_y_o  = to_y_index + centre_y - R'(extent_y != '0 && to_y_border);
+  assign last_x_o  = to_x_index + centre_x - R'(x_positive_i && (x_major_i || rises_i) && to_x_border);
+  assign last_y_o  = to_y_index + centre_y - R'((!x_major_i || rises_i) && to_y_border);
 
   logic [F:0] into_x;
-  assign into_x       = x_positive_o ? x_in : (texel - x_in) & below;
-  assign into_major_o = x_major_o ? into_x : y_in;
-  assign into_minor_o = x_major_o ? y_in : into_x;
-  assign start_x_o    = !x_positive_o && from_x_border ? texel : x_in;
+  assign into_x       = x_positive_i ? x_in : (texel - x_in) & below;
+  assign into_major_o = x_major_i ? into_x : y_in;
+  assign into_minor_o = x_major_i ? y_in : into_x;
+  assign start_x_o    = !x_positive_i && from_x_border ? texel : x_in;
   assign start_y_o    = y_in;
 
   logic unused;

@@ -33,9 +33,11 @@ module edge_setup #(
   output logic [3*(C+1)-1:0]          dy_o,
   output logic                        clockwise_o,
   output logic [AreaBits-1:0]         area_o,        // twice the area, > 0
-  output logic [P-1:0]                plane_x_whole_o,
+  output logic                        plane_x_less_o,  // steps, see plane_walk
+  output logic [P-2:0]                plane_x_whole_o,
   output logic [AreaBits-1:0]         plane_x_rest_o,
-  output logic [P-1:0]                plane_y_whole_o,
+  output logic                        plane_y_less_o,
+  output logic [P-2:0]                plane_y_whole_o,
   output logic [AreaBits-1:0]         plane_y_rest_o,
   output logic [D-1:0]                least_o,       // depths
   output logic [D-1:0]                most_o,
@@ -64,8 +66,11 @@ module edge_setup #(
   output logic [C-1:0]                minor_depth_rest_o,
   output logic [D:0]                  minor_depth_step_whole_o,
   output logic [C-1:0]                minor_depth_step_rest_o,
-  output logic [P-1:0]                plane_whole_o,  // at the first texel's centre
-  output logic [AreaBits-1:0]         plane_rest_o,
+  // the plane at the first texel's centre, less first_depth
+  input  logic                        plane_busy_i,   // not taken with the edge, but in the end by
+  input  logic                        plane_ready_i,  // this; it waits for the next edge's
+  output logic [P-1:0]                plane_whole_o,
+  output logic [AreaBits:0]           plane_rest_o,
   output logic [3*CornerBits-1:0]     corner_o,       // functions at the first texel's corner, over 2^f
   output logic [2:0]                  corner_inexact_o
 );
@@ -77,12 +82,13 @@ module edge_setup #(
   // ---- Program ----
   // Steps issue products; what they are is there two steps later.
   localparam logic [4:0] PcGradients = 5'd0;   // 0, 1: area; 2, 3: gradient x; 4, 5: y
-  localparam logic [4:0] PcEdge      = 5'd8;   // length and rise go to their registers
-  localparam logic [4:0] PcSteps     = 5'd9;   // the ramps' steps go to their dividers
+  localparam logic [4:0] PcEdge      = 5'd8;   // the edge's direction goes to its register
+  localparam logic [4:0] PcAxes      = 5'd9;   // then its axes, length and rise
+  localparam logic [4:0] PcSteps     = 5'd10;  // the ramps' steps go to their dividers
   localparam logic [4:0] PcOffset    = 5'd10;  // 10 to 13: start of the plane
   localparam logic [4:0] PcCorners   = 5'd14;  // 14 to 19: corner functions
-  localparam logic [4:0] PcRamps     = 5'd23;  // 23: offset of minor; 24, 25: of depth along major, minor
-  localparam logic [4:0] PcWait      = 5'd28;  // until the edge is taken
+  localparam logic [4:0] PcRamps     = 5'd24;  // 24: offset of minor; 25, 26: of depth along major, minor
+  localparam logic [4:0] PcWait      = 5'd29;  // until the edge is taken
   logic [4:0] pc_q;
   logic [1:0] edge_q;
   logic       run, flat, last_taken;
@@ -111,7 +117,7 @@ module edge_setup #(
       end
     end else if (flat) begin
       pc_q <= PcGradients;
-    end else begin
+    end else if (pc_q != PcEdge || !plane_busy_i) begin
       pc_q <= pc_q + 1'b1;
     end
   end
@@ -148,14 +154,15 @@ module edge_setup #(
   end
 
   // ---- Edge ----
-  logic         swap;
+  logic         swap, swap_q, x_major, x_positive, rises;
   logic [F:0]   start_x, start_y, into_major, into_minor, to_major, to_minor, texel;
   logic [C-1:0] length, rise, length_q, rise_q;
   logic [D:0]   dz;
   edge_geometry geometry (
     .texel_bits_i(settings_i.texel_bits), .map_width_i(settings_i.map_width), .map_height_i(settings_i.map_height),
     .a_i(a), .b_i(b),
-    .swap_o(swap), .x_major_o, .x_positive_o,
+    .swap_o(swap), .swap_i(swap_q), .x_major_o(x_major), .x_positive_o(x_positive),
+    .x_major_i(x_major_o), .x_positive_i(x_positive_o), .rises_i(rises),
     .first_x_o, .first_y_o, .last_x_o, .last_y_o, .start_x_o(start_x), .start_y_o(start_y),
     .into_major_o(into_major), .into_minor_o(into_minor), .length_o(length), .rise_o(rise),
     .first_depth_o, .last_depth_o
@@ -164,13 +171,17 @@ module edge_setup #(
   assign to_major = texel - into_major;  // to the next border
   assign to_minor = texel - into_minor;
   assign dz     = {1'b0, last_depth_o} - {1'b0, first_depth_o};
-  assign left_o = swap != clockwise_o;
+  assign left_o = swap_q != clockwise_o;
   always_ff @(posedge clk_i) begin
-    if (pc_q == PcEdge) begin
-      length_q <= length;
-      rise_q   <= rise;
+    if (pc_q == PcEdge) swap_q <= swap;
+    if (pc_q == PcAxes) begin
+      x_major_o    <= x_major;
+      x_positive_o <= x_positive;
+      length_q     <= length;
+      rise_q       <= rise;
     end
   end
+  assign rises    = rise_q != '0;
   assign length_o = length_q;
   assign rise_o   = rise_q;
 
@@ -200,8 +211,8 @@ module edge_setup #(
       5'd17:   begin factor_a = dx1; factor_b = E'(start_y); end
       5'd18:   begin factor_a = dy2; factor_b = E'(start_x); end
       5'd19:   begin factor_a = dx2; factor_b = E'(start_y); end
-      5'd23:   begin factor_a = E'(rise_q); factor_b = E'(0) - E'(into_major); end
-      5'd24:   begin factor_a = E'($signed(dz)); factor_b = E'(to_major); end
+      5'd24:   begin factor_a = E'(rise_q); factor_b = E'(0) - E'(into_major); end
+      5'd25:   begin factor_a = E'($signed(dz)); factor_b = E'(to_major); end
       default: begin factor_a = E'($signed(dz)); factor_b = E'(to_minor); end
     endcase
   end
@@ -214,7 +225,7 @@ module edge_setup #(
   logic [1:0]     start_vertex, corner;
   logic           corner_opposite;
   assign corner          = pc_q == PcCorners + 5'd2 ? 2'd0 : pc_q == PcCorners + 5'd4 ? 2'd1 : 2'd2;  // function of a first product
-  assign start_vertex    = swap ? (edge_q == 2'd2 ? 2'd0 : edge_q + 1'b1) : edge_q;
+  assign start_vertex    = swap_q ? (edge_q == 2'd2 ? 2'd0 : edge_q + 1'b1) : edge_q;
   assign corner_opposite = corner == (start_vertex == 2'd2 ? 2'd0 : start_vertex + 1'b1);
   assign sum_first       = !pc_q[0];
   assign sum_less        = pc_q[0];
@@ -239,7 +250,6 @@ module edge_setup #(
 
   // ---- Plane ----
   logic         plane_valid, offset_taken;
-  logic [P-1:0] plane_offset;
   plane_setup plane (
     .clk_i, .rst_ni, .clear_i, .texel_bits_i(settings_i.texel_bits), .farthest_i(settings_i.hidden_removal == 2'd2),
     .product_i(product),
@@ -247,16 +257,16 @@ module edge_setup #(
     .offset_i(pc_q >= PcOffset + 5'd2 && pc_q < PcOffset + 5'd6),
     .first_i(pc_q == 5'd4 || pc_q == 5'd6 || pc_q == PcOffset + 5'd2),
     .less_i(pc_q[0] != clockwise), .high_i(!pc_q[0]),
-    .start_i(pc_q == PcEdge && edge_q == 2'd0 && !flat && run),
+    .start_i(pc_q == PcEdge && edge_q == 2'd0 && !flat && run && !plane_busy_i),
     .offset_ready_i(offset_full_q), .offset_taken_o(offset_taken),
     .area_i(area_q), .range_i(most_o - least_o),
     .gradient_x_o(gradient_x), .gradient_y_o(gradient_y),
-    .x_whole_o(plane_x_whole_o), .x_rest_o(plane_x_rest_o), .y_whole_o(plane_y_whole_o), .y_rest_o(plane_y_rest_o),
+    .x_less_o(plane_x_less_o), .x_whole_o(plane_x_whole_o), .x_rest_o(plane_x_rest_o),
+    .y_less_o(plane_y_less_o), .y_whole_o(plane_y_whole_o), .y_rest_o(plane_y_rest_o),
     .rise_o(rise_bound_o),
-    .start_valid_o(plane_valid), .start_ready_i(edge_valid_o && edge_ready_i),
-    .start_whole_o(plane_offset), .start_rest_o(plane_rest_o)
+    .start_valid_o(plane_valid), .start_ready_i(plane_ready_i),
+    .start_whole_o(plane_whole_o), .start_rest_o(plane_rest_o)
   );
-  assign plane_whole_o = plane_offset + P'(first_depth_o);
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) offset_full_q <= 1'b0;
     else if (clear_i) offset_full_q <= 1'b0;
@@ -277,7 +287,7 @@ module edge_setup #(
   logic [C-1:0] rise_divisor;
   logic [N-1:0] depth_numerator;
   assign steps           = pc_q == PcSteps;
-  assign rise_divisor    = rise_q == '0 ? C'(1) : rise_q;  // nothing moves along the minor axis
+  assign rise_divisor    = rises ? rise_q : C'(1);  // nothing moves along the minor axis
   assign depth_numerator = steps ? N'($signed(dz)) << settings_i.texel_bits : product[N-1:0];
   for (genvar i = 0; i < 3; i++) begin : g_ramp
     assign ramp_start[i] = steps || pc_q == PcRamps + 5'd2 + 5'(i);

@@ -3,8 +3,8 @@
 // Source:  IPSJ 2008, 3.3.1, Fig. 5, Tables 2 and 3. Twin: model/unit/edge_walker.h.
 // Numbers: the minor coordinate at a texel's near and far major side, and the depth at the next borders,
 //          are exact ramps; only Fraction is rounded.
-// Timing:  an edge is taken in cycle n, its first texel is valid in n + 1, then one follows a cycle, and
-//          the next edge with the last one; a step through a texel's corner costs one cycle more.
+// Timing:  an edge is taken in cycle n, its first texel is valid in n + 2, then one follows a cycle, and the
+//          next edge is taken with the last one; a step through a texel's corner costs one cycle more.
 `include "check.svh"
 module edge_walker #(
   localparam int unsigned D = shadow_pkg::DepthBits,
@@ -61,11 +61,13 @@ module edge_walker #(
   output logic                   move_x_o,      // the walk goes to the neighbour; one of both a cycle
   output logic                   move_y_o,
   output logic                   back_o,        // along x it goes down
+  output logic                   fresh_o,       // the cycle before an edge's first texel
+  output logic [D-1:0]           entry_o,       // the edge's depth where the texel is entered
   output logic                   busy_o
 );
   localparam int unsigned W = F + 3;  // of the minor coordinate, signed
 
-  logic         busy_q, corner_q;  // corner_q: between the two halves of a step through a corner
+  logic         busy_q, fresh_q, corner_q;  // corner_q: between the two halves of a step through a corner
   logic [1:0]   index_q;
   logic         left_q, x_major_q, x_positive_q, start_q;
   logic [R-1:0] x_q, y_q, last_x_q, last_y_q;
@@ -85,32 +87,32 @@ module edge_walker #(
   assign vertex      = far_q == texel && far_rest_q == '0;
   assign along_minor = !along_major && !vertex;
 
-  assign texel_valid_o = busy_q && !corner_q;
+  assign texel_valid_o = busy_q && !fresh_q && !corner_q;
   assign emit          = texel_valid_o && ready_i;
   assign take          = edge_valid_i && edge_ready_o;
   assign edge_ready_o  = ready_i && (!busy_q || (texel_valid_o && last));
   assign busy_o        = busy_q;
+  assign fresh_o       = fresh_q;
+  assign entry_o       = entry_q;
 
   // ---- Minor coordinate ----
+  // A fresh edge's near side comes into the far side's registers first.
   logic [W-1:0] far_next;
   logic [C-1:0] far_rest_next;
   exact_step #(.WholeBits(W), .RestBits(C)) far_step (
-    .whole_i(take ? minor_whole_i : far_q), .rest_i(take ? minor_rest_i : far_rest_q),
-    .step_whole_i({1'b0, take ? minor_step_whole_i : step_q}), .step_rest_i(take ? minor_step_rest_i : step_rest_q),
-    .base_i(take ? length_i : length_q),
+    .whole_i(far_q), .rest_i(far_rest_q), .step_whole_i({1'b0, step_q}), .step_rest_i(step_rest_q), .base_i(length_q),
     .whole_o(far_next), .rest_o(far_rest_next));
   always_ff @(posedge clk_i) begin
     if (take) begin
-      near_q     <= minor_whole_i;
-      far_q      <= far_next;
-      far_rest_q <= far_rest_next;
-    end else if (emit) begin
-      if (along_minor) begin
+      far_q      <= minor_whole_i;
+      far_rest_q <= minor_rest_i;
+    end else if (emit || (fresh_q && ready_i)) begin
+      if (along_minor && !fresh_q) begin
         near_q <= near_q - texel;
         far_q  <= far_q - texel;
       end else begin
-        near_q     <= vertex ? '0 : far_q;
-        far_q      <= vertex ? W'(step_q) : far_next;
+        near_q     <= vertex && !fresh_q ? '0 : far_q;
+        far_q      <= vertex && !fresh_q ? W'(step_q) : far_next;
         far_rest_q <= far_rest_next;
       end
     end
@@ -140,13 +142,16 @@ module edge_walker #(
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       busy_q   <= 1'b0;
+      fresh_q  <= 1'b0;
       corner_q <= 1'b0;
     end else if (clear_i) begin
       busy_q   <= 1'b0;
+      fresh_q  <= 1'b0;
       corner_q <= 1'b0;
     end else begin
       if (take) busy_q <= 1'b1;
       else if (emit && last) busy_q <= 1'b0;
+      if (ready_i) fresh_q <= take;
       if (ready_i) corner_q <= emit && !last && vertex;
       `CHECK(depth_fits, !emit || last || !(along_minor ? minor_depth[D] : major_depth[D]))
     end

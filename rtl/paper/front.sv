@@ -36,8 +36,11 @@ module front (
   logic [1:0]              edge_index;
   logic [3*E-1:0]          dx, dy;
   logic                    clockwise;
-  logic [AreaBits-1:0]     area, plane_x_rest, plane_y_rest, plane_rest;
-  logic [P-1:0]            plane_x_whole, plane_y_whole, plane_whole;
+  logic [AreaBits-1:0]     area, plane_x_rest, plane_y_rest;
+  logic [AreaBits:0]       plane_rest;
+  logic [P-2:0]            plane_x_whole, plane_y_whole;
+  logic [P-1:0]            plane_whole;
+  logic                    plane_x_less, plane_y_less, plane_busy, plane_ready;
   logic [D-1:0]            least, most, first_depth, last_depth;
   logic [D:0]              rise_bound;
   logic                    left, x_major, x_positive;
@@ -53,8 +56,8 @@ module front (
     .clk_i, .rst_ni, .clear_i, .settings_i, .tri_valid_i, .tri_ready_o, .tri_i,
     .caster_o(caster), .busy_o(setup_busy), .edge_valid_o(edge_valid), .edge_ready_i(take), .index_o(edge_index),
     .dx_o(dx), .dy_o(dy), .clockwise_o(clockwise), .area_o(area),
-    .plane_x_whole_o(plane_x_whole), .plane_x_rest_o(plane_x_rest),
-    .plane_y_whole_o(plane_y_whole), .plane_y_rest_o(plane_y_rest),
+    .plane_x_less_o(plane_x_less), .plane_x_whole_o(plane_x_whole), .plane_x_rest_o(plane_x_rest),
+    .plane_y_less_o(plane_y_less), .plane_y_whole_o(plane_y_whole), .plane_y_rest_o(plane_y_rest),
     .least_o(least), .most_o(most), .rise_bound_o(rise_bound),
     .left_o(left), .x_major_o(x_major), .x_positive_o(x_positive),
     .first_x_o(first_x), .first_y_o(first_y), .last_x_o(last_x), .last_y_o(last_y),
@@ -65,7 +68,7 @@ module front (
     .major_depth_step_whole_o(major_depth_step_whole), .major_depth_step_rest_o(major_depth_step_rest),
     .minor_depth_whole_o(minor_depth_whole), .minor_depth_rest_o(minor_depth_rest),
     .minor_depth_step_whole_o(minor_depth_step_whole), .minor_depth_step_rest_o(minor_depth_step_rest),
-    .plane_whole_o(plane_whole), .plane_rest_o(plane_rest),
+    .plane_busy_i(plane_busy), .plane_ready_i(plane_ready), .plane_whole_o(plane_whole), .plane_rest_o(plane_rest),
     .corner_o(corner_start), .corner_inexact_o(corner_inexact)
   );
 
@@ -86,7 +89,8 @@ module front (
   logic                     clockwise_q;
   logic [D-1:0]             least_q;
   logic [AreaBits-1:0]      area_q, plane_x_rest_q, plane_y_rest_q;
-  logic [P-1:0]             plane_x_whole_q, plane_y_whole_q;
+  logic [P-2:0]             plane_x_whole_q, plane_y_whole_q;
+  logic                     plane_x_less_q, plane_y_less_q;
   logic [2:0]               corner_inexact_q;
   always_ff @(posedge clk_i) begin
     if (begins) begin
@@ -99,6 +103,8 @@ module front (
       clockwise_q     <= clockwise;
       least_q         <= least;
       area_q          <= area;
+      plane_x_less_q  <= plane_x_less;
+      plane_y_less_q  <= plane_y_less;
       plane_x_whole_q <= plane_x_whole;
       plane_x_rest_q  <= plane_x_rest;
       plane_y_whole_q <= plane_y_whole;
@@ -128,11 +134,11 @@ module front (
   end
 
   // ---- Walk ----
-  logic         texel_valid, walk_x, walk_y, walk_back;
+  logic         texel_valid, fresh, walk_x, walk_y, walk_back;
   logic [1:0]   walk_index;
   logic [R-1:0] walk_at_x, walk_at_y;
   shadow_pkg::line_t line;
-  logic [D-1:0] nearest;
+  logic [D-1:0] nearest, entry;
   assign line.polygon = polygon_q;
   edge_walker walker (
     .clk_i, .rst_ni, .clear_i, .texel_bits_i(settings_i.texel_bits),
@@ -148,26 +154,26 @@ module front (
     .texel_valid_o(texel_valid), .ready_i(advance), .index_o(walk_index), .x_o(walk_at_x), .y_o(walk_at_y),
     .left_o(line.left), .cross_flag_o(line.cross_flag), .x_major_o(line.x_major), .x_positive_o(line.x_positive),
     .start_here_o(line.start_here), .end_here_o(line.end_here), .slope_o(line.slope), .fraction_o(line.fraction),
-    .nearest_o(nearest), .move_x_o(walk_x), .move_y_o(walk_y), .back_o(walk_back), .busy_o(walking)
+    .nearest_o(nearest), .move_x_o(walk_x), .move_y_o(walk_y), .back_o(walk_back), .fresh_o(fresh), .entry_o(entry), .busy_o(walking)
   );
   logic on_row, on_map, corner;
   assign on_row = !walk_at_y[R-1] && walk_at_y < R'(settings_i.map_height);
   assign on_map = on_row && !walk_at_x[R-1] && walk_at_x < R'(settings_i.map_width);
   corner_functions #(.DeltaBits(E), .Bits(CornerBits), .Diagonal(1'b0)) corners (
-    .clk_i, .restart_i(take), .start_i(corner_start), .inexact_i(corner_inexact_q), .dx_i(dx_q), .dy_i(dy_q),
-    .clockwise_i(clockwise_q), .move_x_i(walk_x && !take), .back_i(walk_back), .move_y_i(walk_y), .inside_o(corner)
+    .clk_i, .restart_i(fresh), .start_i(corner_start), .inexact_i(corner_inexact_q), .dx_i(dx_q), .dy_i(dy_q),
+    .clockwise_i(clockwise_q), .move_x_i(walk_x), .back_i(walk_back), .move_y_i(walk_y), .inside_o(corner)
   );
 
   // ---- Spans ----
   logic                gap_valid, gap_ready, word_valid, fill_load, fill_x, fill_y, fill_back;
   logic [M-1:0]        gap_y, gap_from, gap_to, word_x, word_y;
-  logic                fill_two, by_two;
-  logic [D-1:0]        fill_whole, next_whole, two_whole_q;
-  logic [AreaBits-1:0] fill_rest, ramp_rest, next_rest, two_rest_q;
+  logic                fill_two;
+  logic [D-1:0]        fill_whole, next_whole;
+  logic [AreaBits:0]   fill_rest, ramp_rest;
   logic [P-1:0]        ramp_whole;
   logic [L*D-1:0]      word_depth;
   logic [L-1:0]        word_mask;
-  logic                not_looked_up;
+  logic                not_looked_up, loading;
   visited_rows #(.MapBits(M), .RowIndexBits(R)) rows (
     .clk_i, .rst_ni, .clear_i, .map_width_i(settings_i.map_width), .begin_i(begins),
     .visit_i(texel_valid && advance && on_row), .edge_i(walk_index), .x_i(walk_at_x), .y_i(walk_at_y[M-1:0]),
@@ -176,36 +182,24 @@ module front (
     .gap_to_o(gap_to), .gaps_busy_o(gaps_busy)
   );
   span_filler filler (
-    .clk_i, .rst_ni, .clear_i, .anchor_i(take), .first_i(begins), .anchor_x_i(first_x), .anchor_y_i(first_y),
-    .anchor_whole_i(plane_whole[D-1:0]), .anchor_rest_i(plane_rest), .start_i(edges_done),
+    .clk_i, .rst_ni, .clear_i, .anchor_i(texel_valid && line.start_here && advance),
+    .first_i(walk_index == '0), .anchor_x_i(walk_at_x), .anchor_y_i(walk_at_y), .start_i(edges_done),
     .gap_valid_i(gap_valid), .gap_ready_o(gap_ready), .gap_y_i(gap_y), .gap_from_i(gap_from), .gap_to_i(gap_to),
     .load_o(fill_load), .whole_o(fill_whole), .rest_o(fill_rest), .move_x_o(fill_x), .move_y_o(fill_y),
     .back_o(fill_back), .two_o(fill_two), .next_whole_i(next_whole), .whole_i(ramp_whole[D-1:0]), .rest_i(ramp_rest),
     .word_valid_o(word_valid), .ready_i(advance), .x_o(word_x), .y_o(word_y), .depth_o(word_depth), .mask_o(word_mask)
   );
-  assign by_two = phase_q == Spans && fill_two;
   // Spans only look at the D lowest bits of its whole part.
-  plane_ramp #(.WholeBits(P), .RestBits(AreaBits)) ramp (
-    .clk_i, .load_i(take || fill_load), .whole_i({plane_whole[P-1:D], fill_load ? fill_whole : plane_whole[D-1:0]}),
-    .rest_i(fill_load ? fill_rest : plane_rest),
-    .move_x_i((walk_x && !take) || fill_x), .move_y_i(walk_y || fill_y), .back_i(walk_x ? walk_back : fill_back),
-    .x_whole_i({plane_x_whole_q[P-1:D], by_two ? two_whole_q : plane_x_whole_q[D-1:0]}), .x_rest_i(by_two ? two_rest_q : plane_x_rest_q),
-    .y_whole_i(plane_y_whole_q), .y_rest_i(plane_y_rest_q),
-    .base_i(area_q), .whole_o(ramp_whole), .rest_o(ramp_rest)
+  assign plane_busy  = fresh || loading;
+  assign plane_ready = loading && advance;
+  plane_walk #(.WholeBits(P), .RestBits(AreaBits), .DepthBits(D)) plane (
+    .clk_i, .rst_ni, .clear_i, .ready_i(advance), .load_i(fresh), .rest_i(plane_rest), .whole_i(plane_whole),
+    .depth_i(entry), .loading_o(loading), .reload_i(fill_load), .reload_rest_i(fill_rest), .reload_whole_i(fill_whole),
+    .move_x_i(walk_x || fill_x), .move_y_i(walk_y || fill_y), .back_i(walk_x ? walk_back : fill_back), .two_i(fill_two),
+    .x_less_i(plane_x_less_q), .x_whole_i(plane_x_whole_q), .x_rest_i(plane_x_rest_q),
+    .y_less_i(plane_y_less_q), .y_whole_i(plane_y_whole_q), .y_rest_i(plane_y_rest_q), .base_i(area_q),
+    .rest_o(ramp_rest), .whole_o(ramp_whole), .next_whole_o(next_whole)
   );
-  // The neighbour along x, in spans; before them, twice the step along x.
-  exact_step #(.WholeBits(D), .RestBits(AreaBits)) next_step (
-    .whole_i(phase_q == Spans ? ramp_whole[D-1:0] : plane_x_whole_q[D-1:0]),
-    .rest_i(phase_q == Spans ? ramp_rest : plane_x_rest_q),
-    .step_whole_i(plane_x_whole_q[D-1:0]), .step_rest_i(plane_x_rest_q), .base_i(area_q),
-    .whole_o(next_whole), .rest_o(next_rest)
-  );
-  always_ff @(posedge clk_i) begin
-    if (phase_q == Edges) begin
-      two_whole_q <= next_whole;
-      two_rest_q  <= next_rest;
-    end
-  end
   logic [D-1:0] centre;  // the plane's depth, clamped to the triangle's
   logic         below, above;
   assign below  = ramp_whole[P-1] || (ramp_whole[P-2:D] == '0 && ramp_whole[D-1:0] < least_q);
@@ -223,12 +217,15 @@ module front (
   assign visit.line    = line;
   assign visit.nearest = nearest;
   assign visit.corner  = corner;
-  assign visit.depth0  = word_valid ? word_depth[D-1:0] : centre;
-  assign visit.depth1  = word_depth[D +: D];
-  assign visit.depth2  = word_depth[2*D +: D];
-  assign visit.depth3  = word_depth[3*D +: D];
   assign visit.mask    = word_mask;
-  assign visit_o       = visit_q;
+  assign {visit.depth0, visit.depth1, visit.depth2, visit.depth3} = '0;  // a cycle later
+  always_comb begin
+    visit_o        = visit_q;
+    visit_o.depth0 = visit_q.kind == shadow_pkg::VisitSpan ? word_depth[D-1:0] : centre;
+    visit_o.depth1 = word_depth[D +: D];
+    visit_o.depth2 = word_depth[2*D +: D];
+    visit_o.depth3 = word_depth[3*D +: D];
+  end
   assign visit_valid_o = visit_valid_q;
   always_ff @(posedge clk_i) if (advance) visit_q <= visit;
   always_ff @(posedge clk_i or negedge rst_ni) begin

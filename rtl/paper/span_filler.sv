@@ -2,8 +2,9 @@
 //
 // Source:  3.3.3. Twin: ShadowUnit::fill_spans in model/unit/shadow_unit_pass1.cpp.
 // Numbers: depths are inside the triangle, so that the plane's whole part modulo 2^DepthBits is the depth.
-// Timing:  two texels a cycle; words leave with their last texel. The plane's ramp is led to the first
-//          texel of a gap from that of the gap before: one texel a cycle, from the row below.
+// Timing:  two texels a cycle; words leave with their last texel, their depths one cycle later, as plane_walk
+//          gives them. It is led to the first texel of a gap from that of the gap before: one texel a cycle,
+//          from the row below.
 module span_filler #(
   localparam int unsigned D = shadow_pkg::DepthBits,
   localparam int unsigned M = shadow_pkg::MapBits,
@@ -14,13 +15,11 @@ module span_filler #(
   input  logic                clk_i,
   input  logic                rst_ni,
   input  logic                clear_i,
-  // an edge's first texel, and the plane's ramp there; the lowest one is gone on from
+  // plane_walk stands in an edge's first texel; the lowest one is gone on from
   input  logic                anchor_i,
   input  logic                first_i,     // of the triangle's first edge
   input  logic [R-1:0]        anchor_x_i,  // signed
   input  logic [R-1:0]        anchor_y_i,
-  input  logic [D-1:0]        anchor_whole_i,
-  input  logic [AreaBits-1:0] anchor_rest_i,
   input  logic                start_i,      // visited_rows begins with the gaps, the first in a later cycle
   // gaps of visited_rows
   input  logic                gap_valid_i,
@@ -28,29 +27,30 @@ module span_filler #(
   input  logic [M-1:0]        gap_y_i,
   input  logic [M-1:0]        gap_from_i,
   input  logic [M-1:0]        gap_to_i,
-  // the plane's ramp
+  // plane_walk
   output logic                load_o,       // from here:
   output logic [D-1:0]        whole_o,
-  output logic [AreaBits-1:0] rest_o,
+  output logic [AreaBits:0]   rest_o,
   output logic                move_x_o,     // one of both a cycle
   output logic                move_y_o,     // upwards
   output logic                back_o,
   output logic                two_o,        // along x by two
-  input  logic [D-1:0]        next_whole_i, // one texel further along x
-  input  logic [D-1:0]        whole_i,      // where it stands
-  input  logic [AreaBits-1:0] rest_i,
+  input  logic [AreaBits:0]   rest_i,
+  input  logic [D-1:0]        whole_i,      // of the texel where it stood in the cycle before,
+  input  logic [D-1:0]        next_whole_i, // and one further along x
   // words
   output logic                word_valid_o,
   input  logic                ready_i,      // without it nothing moves, whether valid or not
   output logic [M-1:0]        x_o,
   output logic [M-1:0]        y_o,
-  output logic [L*D-1:0]      depth_o,      // texel i at i * D
+  output logic [L*D-1:0]      depth_o,      // texel i at i * D; one cycle later
   output logic [L-1:0]        mask_o
 );
   localparam int unsigned LaneBits = $clog2(L);
   logic [R-1:0]        anchor_x_q, anchor_y_q, x_q, y_q, x, y;
   logic [D-1:0]        anchor_whole_q;
-  logic [AreaBits-1:0] anchor_rest_q;
+  logic [AreaBits:0]   anchor_rest_q;
+  logic                anchor_due_q;  // its whole part comes
   logic                reload_q;   // the ramp is elsewhere: at the anchor is where to go on from
   logic                in_gap_q;   // in the gap
   logic [L*D-1:0]      depth_q;
@@ -81,13 +81,13 @@ module span_filler #(
   assign gap_ready_o  = ready_i && in_gap && last;
   assign x_o = {x_q[M-1:LaneBits], {LaneBits{1'b0}}};
   assign y_o = y_q[M-1:0];
+  logic [L-1:0] here, next, here_q, next_q;  // what goes to which lane
   for (genvar i = 0; i < L; i++) begin : g_lane
-    logic here, next;
-    assign here = lane == LaneBits'(i);
-    assign next = pair && (lane | LaneBits'(1)) == LaneBits'(i);
-    assign depth_o[i*D +: D] = here ? whole_i : next ? next_whole_i : depth_q[i*D +: D];
-    assign mask_o[i]         = here || next || mask_q[i];
+    assign here[i]    = in_gap && lane == LaneBits'(i);
+    assign next[i]    = in_gap && pair && (lane | LaneBits'(1)) == LaneBits'(i);
+    assign depth_o[i*D +: D] = here_q[i] ? whole_i : next_q[i] ? next_whole_i : depth_q[i*D +: D];
   end
+  assign mask_o = here | next | mask_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -105,22 +105,24 @@ module span_filler #(
       if (step && in_gap) mask_q <= word_valid_o ? '0 : mask_o;
     end
   end
+  logic anchor;  // here
+  assign anchor = anchor_i ? first_i || $signed(anchor_y_i) < $signed(anchor_y_q) : step && in_gap && !in_gap_q;
   always_ff @(posedge clk_i) begin
-    if (anchor_i && (first_i || $signed(anchor_y_i) < $signed(anchor_y_q))) begin
-      anchor_x_q     <= anchor_x_i;
-      anchor_y_q     <= anchor_y_i;
-      anchor_whole_q <= anchor_whole_i;
-      anchor_rest_q  <= anchor_rest_i;
-    end else if (step && in_gap && !in_gap_q) begin
-      anchor_x_q     <= x_q;
-      anchor_y_q     <= y_q;
-      anchor_whole_q <= whole_i;
-      anchor_rest_q  <= rest_i;
+    if (anchor) begin
+      anchor_x_q    <= anchor_i ? anchor_x_i : x_q;
+      anchor_y_q    <= anchor_i ? anchor_y_i : y_q;
+      anchor_rest_q <= rest_i;
+    end
+    if (ready_i) begin
+      anchor_due_q <= anchor;
+      if (anchor_due_q) anchor_whole_q <= whole_i;
+      here_q  <= here;
+      next_q  <= next;
+      depth_q <= depth_o;
     end
     if (step) begin
       x_q <= !move_x_o ? x : back_o ? x - 1'b1 : x + (two_o ? R'(2) : R'(1));
       y_q <= move_y_o ? y + 1'b1 : y;
-      if (in_gap) depth_q <= depth_o;
     end
   end
 endmodule
