@@ -25,6 +25,9 @@ module edge_setup #(
   input  logic [C-1:0]   from_y_i,
   input  logic [C-1:0]   to_x_i,
   input  logic [C-1:0]   to_y_i,
+  input  logic           upward_i,       // the differences are from its lower end to the other
+  input  logic [C:0]     dx_i,           // signed
+  input  logic [C:0]     dy_i,
   // the front's multiplier: factors are always taken; the product two cycles later
   output logic           factors_valid_o,
   output logic [C:0]     factor_a_o,     // signed
@@ -67,11 +70,8 @@ module edge_setup #(
   logic [3:0] state_q;
 
   // ---- Extents ----
-  logic [C:0]   dx, dy;
   logic [C-1:0] du_q, dv_q;
   logic         x_positive_q;
-  assign dx = {to_x_i[C-1], to_x_i} - {from_x_i[C-1], from_x_i};
-  assign dy = {to_y_i[C-1], to_y_i} - {from_y_i[C-1], from_y_i};
 
   // ---- One coordinate after the other: texel, place in it, the same rounded ----
   logic         is_u, is_to, zero, at_end;
@@ -102,9 +102,9 @@ module edge_setup #(
   always_ff @(posedge clk_i) begin
     unique case (state_q)
       Idle: begin
-        x_positive_q <= !dx[C];
-        du_q         <= dx[C] ? -dx[C-1:0] : dx[C-1:0];
-        dv_q         <= dy[C-1:0];
+        x_positive_q <= upward_i != dx_i[C] || dx_i == '0;
+        du_q         <= (dx_i[C-1:0] ^ {C{dx_i[C]}}) + C'(dx_i[C]);
+        dv_q         <= (dy_i[C-1:0] ^ {C{dy_i[C]}}) + C'(dy_i[C]);
       end
       FromU: begin
         first_u_q     <= index;
@@ -181,7 +181,7 @@ module edge_setup #(
         default: state_q <= state_q + 4'd1;
       endcase
       `CHECK(dividers_free, !(start_v && !ready_v) && !(start_u && !ready_u))
-      `CHECK(upward, state_q != FromU || !dy[C])
+      `CHECK(upward, state_q != FromU || dy_i == '0 || upward_i != dy_i[C])
       `CHECK(numerator_fits, !(start_v || start_u) || !product_i[2*C-1])
     end
   end

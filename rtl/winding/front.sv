@@ -6,8 +6,8 @@
 //          goes to an edge's first texel (from the lowest vertex's, or from where the edge before ended)
 //          and along with the edge's walker. A row of an inner edge that runs to -x is passed to its left
 //          end first; if a corner is to be counted in it, the place comes back to the right, and visits.
-// Timing:  plane_setup works on the next triangle, edge_setup on the next edge while one is walked. A texel
-//          of an edge a cycle, a word of a span a cycle, as long as visits are taken.
+// Timing:  edge_setup works on the first edge beside plane_setup, and on the next one while one is walked.
+//          A texel of an edge a cycle, two texels of a span a cycle, as long as visits are taken.
 `include "check.svh"
 module front (
   input  logic                      clk_i,
@@ -49,70 +49,38 @@ module front (
     .clk_i, .a_i(edge_factors ? {1'b0, edge_a} : plane_a), .b_i(edge_factors ? edge_b : plane_b),
     .product_o(product));
 
-  // ---- The next triangle ----
+  // ---- The triangle: its setup keeps it until the last span is out ----
   logic                   out_free;  // the output register takes a visit
-  logic                   next_valid, take_tri, next_clockwise, plane_idle;
-  logic [6*C-1:0]         next_vertices, vertices_q;
-  logic [2:0]             next_inner, next_upward, next_inexact;
-  shadow_pkg::visit_tri_t next_visit_tri;
-  logic [D-1:0]           next_base, next_step_x_rest, next_step_y_rest, next_start_rest;
-  logic [Depth-1:0]       next_step_x, next_step_y, next_start;
-  logic [3*K-1:0]         next_corners;
+  logic                   tri_valid, tri_done, take_tri, has_area, clockwise, plane_idle;
+  logic [6*C-1:0]         vertices;
+  logic [3*(C+1)-1:0]     edge_dx, edge_dy;
+  logic [2:0]             inner, upward, inexact;
+  shadow_pkg::visit_tri_t visit_tri, visit_tri_q;
+  logic [D-1:0]           base, step_x_rest, step_y_rest, start_rest;
+  logic [Depth-1:0]       step_x, step_y, start;
+  logic [3*K-1:0]         corners;
   plane_setup plane (
     .clk_i, .rst_ni, .clear_i, .texel_bits_i(settings_i.texel_bits),
     .plane_tolerance_i(settings_i.plane_tolerance), .tri_valid_i, .tri_ready_o, .tri_i,
     .factors_ready_i(!edge_factors), .factor_a_o(plane_a),
-    .factor_b_o(plane_b), .product_i(product),
-    .valid_o(next_valid), .ready_i(take_tri), .vertices_o(next_vertices), .inner_o(next_inner),
-    .upward_o(next_upward), .clockwise_o(next_clockwise), .visit_tri_o(next_visit_tri), .base_o(next_base),
-    .step_x_whole_o(next_step_x), .step_x_rest_o(next_step_x_rest), .step_y_whole_o(next_step_y),
-    .step_y_rest_o(next_step_y_rest), .start_whole_o(next_start), .start_rest_o(next_start_rest),
-    .corner_start_o(next_corners), .corner_inexact_o(next_inexact), .caster_o(events_o.caster),
+    .factor_b_o(plane_b), .product_i(product), .area_o(has_area),
+    .valid_o(tri_valid), .ready_i(tri_done), .vertices_o(vertices), .edge_dx_o(edge_dx), .edge_dy_o(edge_dy),
+    .inner_o(inner), .upward_o(upward), .clockwise_o(clockwise), .visit_tri_o(visit_tri), .base_o(base),
+    .step_x_whole_o(step_x), .step_x_rest_o(step_x_rest), .step_y_whole_o(step_y),
+    .step_y_rest_o(step_y_rest), .start_whole_o(start), .start_rest_o(start_rest),
+    .corner_start_o(corners), .corner_inexact_o(inexact), .caster_o(events_o.caster),
     .idle_o(plane_idle));
+  assign take_tri = state_q == Idle && tri_valid && out_free;
+  always_ff @(posedge clk_i) if (take_tri) visit_tri_q <= visit_tri;
 
-  // ---- The triangle that is walked ----
-  logic [2:0]             inner_q, upward_q, inexact_q;
-  logic                   clockwise_q;
-  shadow_pkg::visit_tri_t visit_tri_q;
-  logic [D-1:0]           base_q, step_x_rest_q, step_y_rest_q, start_rest_q;
-  logic [Depth-1:0]       step_x_q, step_y_q, start_q;
-  logic [3*K-1:0]         corners_q;
-  assign take_tri = state_q == Idle && next_valid && out_free;
-  always_ff @(posedge clk_i) begin
-    if (take_tri) begin
-      vertices_q    <= next_vertices;
-      inner_q       <= next_inner;
-      upward_q      <= next_upward;
-      clockwise_q   <= next_clockwise;
-      visit_tri_q   <= next_visit_tri;
-      base_q        <= next_base;
-      step_x_q      <= next_step_x;
-      step_x_rest_q <= next_step_x_rest;
-      step_y_q      <= next_step_y;
-      step_y_rest_q <= next_step_y_rest;
-      start_q       <= next_start;
-      start_rest_q  <= next_start_rest;
-      corners_q     <= next_corners;
-      inexact_q     <= next_inexact;
-    end
-  end
-
-  logic [3*(C+1)-1:0] edge_dx, edge_dy;
-  for (genvar i = 0; i < 3; i++) begin : g_delta
-    localparam int unsigned J = (i + 1) % 3;
-    assign edge_dx[i*(C+1) +: C+1] = {vertices_q[2*J*C+C-1], vertices_q[2*J*C +: C]}
-                                   - {vertices_q[2*i*C+C-1], vertices_q[2*i*C +: C]};
-    assign edge_dy[i*(C+1) +: C+1] = {vertices_q[2*J*C+2*C-1], vertices_q[2*J*C+C +: C]}
-                                   - {vertices_q[2*i*C+2*C-1], vertices_q[2*i*C+C +: C]};
-  end
   logic [1:0]   low;  // the lowest vertex
   logic [T-1:0] centre_x, centre_y, low_x, low_y;
-  assign low      = upward_q[0] && !upward_q[2] ? 2'd0 : upward_q[1] && !upward_q[0] ? 2'd1 : 2'd2;
+  assign low      = upward[0] && !upward[2] ? 2'd0 : upward[1] && !upward[0] ? 2'd1 : 2'd2;
   assign centre_x = T'(settings_i.map_width[M:1]);
   assign centre_y = T'(settings_i.map_height[M:1]);
   logic [C-1:0] low_vertex_x, low_vertex_y;
-  assign low_vertex_x = vertices_q[2*low*C +: C];
-  assign low_vertex_y = vertices_q[2*low*C+C +: C];
+  assign low_vertex_x = vertices[2*low*C +: C];
+  assign low_vertex_y = vertices[2*low*C+C +: C];
   assign low_x = T'($signed(low_vertex_x) >>> settings_i.texel_bits) + centre_x;
   assign low_y = T'($signed(low_vertex_y) >>> settings_i.texel_bits) + centre_y;
 
@@ -125,8 +93,8 @@ module front (
   assign chosen      = left[0] ? 2'd0 : left[1] ? 2'd1 : 2'd2;
   assign choose      = left != '0 && (!edge_busy_q || load_edge);
   assign edge_next   = edge_q == 2'd2 ? 2'd0 : edge_q + 2'd1;
-  assign from_vertex = upward_q[edge_q] ? edge_q : edge_next;
-  assign to_vertex   = upward_q[edge_q] ? edge_next : edge_q;
+  assign from_vertex = upward[edge_q] ? edge_q : edge_next;
+  assign to_vertex   = upward[edge_q] ? edge_next : edge_q;
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       to_walk_q   <= '0;
@@ -136,9 +104,9 @@ module front (
       to_walk_q   <= '0;
       to_pass_q   <= '0;
       edge_busy_q <= 1'b0;
-    end else if (take_tri) begin
-      to_walk_q   <= ~(next_inner & {3{settings_i.skip_edges}});
-      to_pass_q   <= next_inner & {3{settings_i.skip_edges}};
+    end else if (has_area) begin
+      to_walk_q   <= ~(inner & {3{settings_i.skip_edges}});
+      to_pass_q   <= inner & {3{settings_i.skip_edges}};
     end else begin
       if (choose) begin
         to_walk_q[chosen] <= 1'b0;
@@ -162,8 +130,9 @@ module front (
   edge_setup edges (
     .clk_i, .rst_ni, .clear_i, .texel_bits_i(settings_i.texel_bits),
     .edge_valid_i(edge_busy_q),
-    .from_x_i(vertices_q[2*from_vertex*C +: C]), .from_y_i(vertices_q[2*from_vertex*C+C +: C]),
-    .to_x_i(vertices_q[2*to_vertex*C +: C]), .to_y_i(vertices_q[2*to_vertex*C+C +: C]),
+    .from_x_i(vertices[2*from_vertex*C +: C]), .from_y_i(vertices[2*from_vertex*C+C +: C]),
+    .to_x_i(vertices[2*to_vertex*C +: C]), .to_y_i(vertices[2*to_vertex*C+C +: C]),
+    .upward_i(upward[edge_q]), .dx_i(edge_dx[edge_q*(C+1) +: C+1]), .dy_i(edge_dy[edge_q*(C+1) +: C+1]),
     .factors_valid_o(edge_factors), .factor_a_o(edge_a), .factor_b_o(edge_b), .product_i(product[2*C-1:0]),
     .valid_o(edge_valid), .ready_i(load_edge), .x_positive_o(x_positive), .on_border_o(on_border),
     .first_u_o(first_u), .first_v_o(first_v), .last_u_o(last_u), .last_v_o(last_v), .from_u_o(from_u),
@@ -181,7 +150,7 @@ module front (
   logic [2:0] passed_q;      // edges before
   edge_walker walker (
     .clk_i, .texel_bits_i(settings_i.texel_bits), .load_i(load_edge),
-    .positive_i(clockwise_q == upward_q[edge_q]),
+    .positive_i(clockwise == upward[edge_q]),
     .x_positive_i(x_positive), .on_border_i(on_border), .first_u_i(first_u), .first_v_i(first_v),
     .last_u_i(last_u), .last_v_i(last_v), .from_u_i(from_u), .from_v_i(from_v), .from_u_zero_i(from_u_zero),
     .from_v_zero_i(from_v_zero), .to_u_i(to_u), .to_v_i(to_v), .to_u_full_i(to_u_full), .to_v_zero_i(to_v_zero),
@@ -202,7 +171,8 @@ module front (
   logic         fill_load, fill_x, fill_y, fill_back, filling;
   logic [Depth-1:0] depth, fill_whole, fill_step;
   logic [D-1:0] rest, fill_rest, fill_step_rest;
-  assign filling = state_q == Fill;
+  assign filling  = state_q == Fill;
+  assign tri_done = filling && !gaps_busy;
   assign from_x  = load_place ? low_x : place_x_q;
   assign from_y  = load_place ? low_y : place_y_q;
   always_ff @(posedge clk_i) begin
@@ -210,15 +180,15 @@ module front (
     if (move_y || load_place) place_y_q <= from_y + T'(move_y);
   end
   corner_functions #(.DeltaBits(C + 1), .Bits(K), .Diagonal(1'b0)) corner (
-    .clk_i, .restart_i(load_place), .start_i(corners_q), .inexact_i(inexact_q), .dx_i(edge_dx), .dy_i(edge_dy),
-    .clockwise_i(clockwise_q), .move_x_i(move_x), .back_i(move_back), .move_y_i(move_y), .inside_o(covers));
+    .clk_i, .restart_i(load_place), .start_i(corners), .inexact_i(inexact), .dx_i(edge_dx), .dy_i(edge_dy),
+    .clockwise_i(clockwise), .move_x_i(move_x), .back_i(move_back), .move_y_i(move_y), .inside_o(covers));
   plane_ramp #(.WholeBits(Depth), .RestBits(D)) ramp (
     .clk_i, .load_i(filling ? fill_load : load_place),
-    .whole_i(filling ? fill_whole : start_q), .rest_i(filling ? fill_rest : start_rest_q),
+    .whole_i(filling ? fill_whole : start), .rest_i(filling ? fill_rest : start_rest),
     .move_x_i(filling ? fill_x : move_x), .move_y_i(filling ? fill_y : move_y),
     .back_i(filling ? fill_back : move_back),
-    .x_whole_i(filling ? fill_step : step_x_q), .x_rest_i(filling ? fill_step_rest : step_x_rest_q),
-    .y_whole_i(step_y_q), .y_rest_i(step_y_rest_q), .base_i(base_q), .whole_o(depth), .rest_o(rest));
+    .x_whole_i(filling ? fill_step : step_x), .x_rest_i(filling ? fill_step_rest : step_x_rest),
+    .y_whole_i(step_y), .y_rest_i(step_y_rest), .base_i(base), .whole_o(depth), .rest_o(rest));
 
   // ---- Visited rows and gaps ----
   logic         x_on_map, y_on_map, on_map, look, mark, visited, gap_valid, gap_ready, gaps_busy;
@@ -240,8 +210,8 @@ module front (
   span_filler filler (
     .clk_i, .rst_ni, .clear_i, .start_i(state_q == Gaps), .start_x_i(low_x), .start_y_i(low_y),
     .gap_valid_i(gap_valid), .gap_ready_o(gap_ready), .gap_y_i(gap_y), .gap_from_i(gap_from), .gap_to_i(gap_to),
-    .start_whole_i(start_q), .start_rest_i(start_rest_q), .step_x_whole_i(step_x_q),
-    .step_x_rest_i(step_x_rest_q), .base_i(base_q), .whole_i(depth), .rest_i(rest), .load_o(fill_load),
+    .start_whole_i(start), .start_rest_i(start_rest), .step_x_whole_i(step_x),
+    .step_x_rest_i(step_x_rest), .base_i(base), .whole_i(depth), .rest_i(rest), .load_o(fill_load),
     .whole_o(fill_whole), .rest_o(fill_rest), .move_x_o(fill_x), .move_y_o(fill_y), .back_o(fill_back),
     .step_whole_o(fill_step), .step_rest_o(fill_step_rest), .word_valid_o(word_valid),
     .word_ready_i(out_free), .x_o(word_x), .y_o(word_y), .mask_o(word_mask), .bases_o(word_bases));
@@ -307,7 +277,7 @@ module front (
         Judge:   state_q <= wanted ? Return : edge_ends && !edge_valid ? Edge : Walk;
         Return:  if (comes_back && place_x_q == row_x_q) state_q <= Walk;
         Gaps:    state_q <= Fill;
-        default: if (!gaps_busy) state_q <= Idle;
+        default: if (tri_done) state_q <= Idle;
       endcase
       `CHECK(from_below, !(state_q == Walk && !restart_q) || $signed(place_y_q) <= $signed(texel_y))
     end
@@ -357,9 +327,9 @@ module front (
         out.x             = place_x_q[M-1:0];
         out.y             = place_y_q[M-1:0];
         out.base0         = depth[Depth-1 -: B];
-        out.has_segment   = has_segment && !passes_q && !(inner_q[walked_q] && dot);
+        out.has_segment   = has_segment && !passes_q && !(inner[walked_q] && dot);
         out.segment       = piece;
-        out.segment.inner = inner_q[walked_q];
+        out.segment.inner = inner[walked_q];
       end
     endcase
   end

@@ -35,10 +35,13 @@ module plane_setup #(
   output logic [C+1:0]           factor_a_o,     // signed
   output logic [C:0]             factor_b_o,     // signed
   input  logic [2*C+2:0]         product_i,
-  // to the walk: a triangle with an area. All that follows belongs to it and holds until taken
+  output logic                   area_o,         // pulse: it has an area; vertices and edges hold from now on
+  // to the walk: a triangle with an area. All that follows belongs to it and holds until it is done with
   output logic                   valid_o,
   input  logic                   ready_i,
   output logic [6*C-1:0]         vertices_o,     // x, y of vertex i at 2 i C and (2 i + 1) C
+  output logic [3*C+2:0]         edge_dx_o,      // edge i to i + 1 at i (C + 1), signed
+  output logic [3*C+2:0]         edge_dy_o,
   output logic [2:0]             inner_o,        // as in tri_t
   output logic [2:0]             upward_o,       // edge i to i + 1 goes up, or right where it is level
   output logic                   clockwise_o,    // negative area
@@ -351,6 +354,7 @@ module plane_setup #(
   assign tri_ready_o = state_q == Idle;
   assign valid_o     = state_q == Done;
   assign idle_o      = state_q == Idle;
+  assign area_o      = to == ToArea && !is_plane_q && !no_area;
   assign caster_o    = tri_valid_i && tri_ready_o && !tri_i.is_plane;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -495,6 +499,8 @@ module plane_setup #(
   assign visit_tri_o      = visit_tri;
   assign base_o           = den_q;
   assign vertices_o       = {vy[2], vx[2], vy[1], vx[1], vy[0], vx[0]};
+  assign edge_dx_o        = {ex_q[2], ex_q[1], ex_q[0]};
+  assign edge_dy_o        = {ey_q[2], ey_q[1], ey_q[0]};
   assign inner_o          = inner_q;
   assign upward_o         = up;
   assign clockwise_o      = clockwise_q;
