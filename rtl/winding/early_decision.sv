@@ -1,8 +1,8 @@
 // Early decision: verdicts that a fragment's tile or its texel give, or the head of the list to read.
 //
 // Twins:   model/unit/winding/shadow_unit_pass2.cpp, look_up, and read_texel up to the lists
-// Timing:  in order, one a cycle while the words come in time; six cycles and both memory latencies.
-//          Neighbours in a tile share its word, neighbours in a word of texels that word.
+// Timing:  in order, one a cycle while the words come in time; ten cycles and both memory latencies.
+//          Tiles and words of texels that were read lately are not read again.
 module early_decision #(
   localparam int unsigned SlotBits = shadow_pkg::SlotBits
 ) (
@@ -45,7 +45,11 @@ module early_decision #(
   output logic                                  tile_lit_o,
   output logic                                  tile_dark_o,
   output logic                                  texel_lookup_o,
-  output logic                                  first_test_o
+  output logic                                  first_test_o,
+  // why the oldest fragment here waits, if it does; and why none is taken
+  output logic                                  waits_port_o,
+  output logic                                  waits_memory_o,
+  output logic                                  port_busy_o
 );
   localparam int unsigned Slots = shadow_pkg::FragmentSlots;
   localparam int unsigned G = shadow_pkg::EndBits;
@@ -55,6 +59,7 @@ module early_decision #(
   localparam int unsigned VerdictBits = shadow_pkg::VerdictBits;
   localparam int unsigned Words = 32;  // of each kind that are under way
   localparam int unsigned IndexBits = $clog2(Words);
+  localparam int unsigned Lines = 64;  // of each kind that are kept
   localparam int unsigned TileAddrBits = 2 * (MapBits - 3);
   localparam int unsigned TexelWordAddrBits = shadow_pkg::TexelAddrBits - 1;
   localparam int unsigned KeptTileBits = shadow_pkg::TileBits - 24 - 64;  // without the receiver mask
@@ -73,8 +78,10 @@ module early_decision #(
   shadow_pkg::tile_t       tile;
   /* verilator lint_on UNUSEDSIGNAL */
 
+  logic tile_waits_port, tile_waits_memory;
+  /* verilator lint_off PINCONNECTEMPTY */  // where the oldest is if not later is here
   shared_reads #(
-    .Width(KeptTileBits), .AddrBits(TileAddrBits), .Words(Words), .Slots(Slots), .SideBits(2)
+    .Width(KeptTileBits), .AddrBits(TileAddrBits), .Words(Words), .Lines(Lines), .Slots(Slots), .SideBits(2)
   ) tiles (
     .clk_i, .rst_ni, .clear_i, .valid_i, .ready_o, .needs_i(1'b1),
     .addr_i({texel_y_i[MapBits-1:3], texel_x_i[MapBits-1:3]}), .slot_i,
@@ -83,8 +90,10 @@ module early_decision #(
     .slot_o(tile_slot), .side_o({defined, averted}), .data_o(tile_data),
     .rd_valid_o(tile_rd_valid), .rd_ready_i(tile_rd_ready), .rd_addr_o(tile_rd_addr),
     .rd_tag_o(tile_rd_tag), .rsp_valid_i(rsp_valid_i && rsp_tag_i[IndexBits]),
-    .rsp_tag_i(rsp_tag_i[IndexBits-1:0]), .rsp_data_i(rsp_data_i[shadow_pkg::TileBits-1-:KeptTileBits])
+    .rsp_tag_i(rsp_tag_i[IndexBits-1:0]), .rsp_data_i(rsp_data_i[shadow_pkg::TileBits-1-:KeptTileBits]),
+    .empty_o(), .waits_port_o(tile_waits_port), .waits_memory_o(tile_waits_memory)
   );
+  /* verilator lint_on PINCONNECTEMPTY */
   ram_1r1w #(.Width(IdBits + DepthBits + 4), .Depth(Slots)) tile_fragments (
     .clk_i, .write_i(valid_i), .write_addr_i(slot_i),
     .write_data_i({object_i, depth_i, texel_y_i[2:0], texel_x_i[2]}),
@@ -120,9 +129,10 @@ module early_decision #(
   logic [1:0]                           word_texel;
   logic [G-1:0]                         word_x, word_y;
 
+  logic words_empty, word_waits_port, word_waits_memory;
   shared_reads #(
-    .Width(shadow_pkg::TexelWordBits), .AddrBits(TexelWordAddrBits), .Words(Words), .Slots(Slots),
-    .SideBits(1 + VerdictBits)
+    .Width(shadow_pkg::TexelWordBits), .AddrBits(TexelWordAddrBits), .Words(Words), .Lines(Lines),
+    .Slots(Slots), .SideBits(1 + VerdictBits)
   ) texel_words (
     .clk_i, .rst_ni, .clear_i, .valid_i(tile_valid), .ready_o(tile_ready), .needs_i(texel_needed),
     .addr_i(TexelWordAddrBits'({tile.slot, tile_word})), .slot_i(tile_slot),
@@ -131,7 +141,8 @@ module early_decision #(
     .slot_o(word_slot), .side_o({word_needed, word_verdict}), .data_o(word),
     .rd_valid_o(word_rd_valid), .rd_ready_i(word_rd_ready), .rd_addr_o(word_rd_addr),
     .rd_tag_o(word_rd_tag), .rsp_valid_i(rsp_valid_i && !rsp_tag_i[IndexBits]),
-    .rsp_tag_i(rsp_tag_i[IndexBits-1:0]), .rsp_data_i(rsp_data_i[shadow_pkg::TexelWordBits-1:0])
+    .rsp_tag_i(rsp_tag_i[IndexBits-1:0]), .rsp_data_i(rsp_data_i[shadow_pkg::TexelWordBits-1:0]),
+    .empty_o(words_empty), .waits_port_o(word_waits_port), .waits_memory_o(word_waits_memory)
   );
   ram_1r1w #(.Width(IdBits + DepthBits + 2 + 2 * G), .Depth(Slots)) texel_fragments (
     .clk_i, .write_i(valid_i), .write_addr_i(slot_i),
@@ -223,4 +234,11 @@ module early_decision #(
   assign early_slot_o    = slot3_q;
   assign early_final_o   = !list3_q;
   assign early_verdict_o = plane3_q && beyond ? {shadow_pkg::ByBuffer, 1'b1} : verdict3_q;
+
+  // ---- Where the oldest is: as far as anybody ------------------------------------------------------
+  logic deciding;
+  assign deciding       = word_valid || valid1_q || valid2_q || valid3_q;
+  assign waits_port_o   = !deciding && (words_empty ? !tile_valid && tile_waits_port : word_waits_port);
+  assign waits_memory_o = !deciding && (words_empty ? !tile_valid && tile_waits_memory : word_waits_memory);
+  assign port_busy_o    = (word_rd_valid && !word_rd_ready) || (tile_rd_valid && !tile_rd_ready);
 endmodule

@@ -36,7 +36,12 @@ module list_reader #(
   input  logic [shadow_pkg::RecordBits-1:0]     rsp_data_i,
   // what happened
   output logic                                  entry_read_o,
-  output logic [shadow_pkg::SegmentCountBits-1:0] lines_read_o
+  output logic [shadow_pkg::SegmentCountBits-1:0] lines_read_o,
+  // where a slot's list is; all 0: it has none, or that is done
+  input  logic [SlotBits-1:0]                   oldest_i,
+  output logic                                  waits_port_o,
+  output logic                                  waits_memory_o,
+  output logic                                  deciding_o
 );
   localparam int unsigned Slots = shadow_pkg::FragmentSlots;
   localparam int unsigned AddrBits = shadow_pkg::RecordAddrBits;
@@ -137,4 +142,32 @@ module list_reader #(
   assign late_dark_o  = dark;
   assign entry_read_o = read && begins;
   assign lines_read_o = read ? count : '0;
+
+  // ---- Where a slot is: 0 not here, 1 waits for the port, 2 for the memory, 3 is being decided -------
+  logic [Slots-1:0] low_d, low_q, high_d, high_q;
+  always_comb begin
+    low_d  = low_q;
+    high_d = high_q;
+    if (list_i) low_d[list_slot_i] = 1'b1;  // from 0
+    if (rd_valid_o && rd_ready_i) begin
+      low_d[rd_tag_o]  = 1'b0;
+      high_d[rd_tag_o] = 1'b1;
+    end
+    if (rsp_valid_i) low_d[rsp_tag_i] = 1'b1;  // from 2
+    if (read) begin
+      low_d[read_slot]  = !dark && !lit;
+      high_d[read_slot] = 1'b0;
+    end
+    if (clear_i) begin
+      low_d  = '0;
+      high_d = '0;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    low_q  <= low_d;
+    high_q <= high_d;
+  end
+  assign waits_port_o   = !high_q[oldest_i] && low_q[oldest_i];
+  assign waits_memory_o = high_q[oldest_i] && !low_q[oldest_i];
+  assign deciding_o     = high_q[oldest_i] && low_q[oldest_i];
 endmodule

@@ -51,14 +51,13 @@ module shadow_lane (
 
   // ---- Slots ------------------------------------------------------------------------------------
   logic                free, take, oldest_done;
-  logic [SlotBits-1:0] slot;
+  logic [SlotBits-1:0] slot, oldest;
   logic                known_valid, known_final, early, early_final, late;
   logic [SlotBits-1:0] early_slot, late_slot;
   logic [VerdictBits-1:0] known_verdict, early_verdict, late_verdict;
   logic                slot1_valid_q, enter;
   logic [SlotBits-1:0] slot1_q;
 
-  /* verilator lint_off PINCONNECTEMPTY */  // causes need not know which slot is the oldest
   lane_slots #(.Slots(shadow_pkg::FragmentSlots), .Width(VerdictBits)) slots (
     .clk_i, .rst_ni, .clear_i, .free_o(free), .take_i(take), .slot_o(slot),
     .known_i(known_valid), .known_slot_i(slot1_q), .known_final_i(known_final),
@@ -66,9 +65,9 @@ module shadow_lane (
     .early_i(early), .early_slot_i(early_slot), .early_final_i(early_final),
     .early_verdict_i(early_verdict),
     .late_i(late), .late_slot_i(late_slot), .late_verdict_i(late_verdict),
-    .verdict_valid_o, .verdict_ready_i, .verdict_o, .oldest_o(), .oldest_done_o(oldest_done), .idle_o
+    .verdict_valid_o, .verdict_ready_i, .verdict_o, .oldest_o(oldest), .oldest_done_o(oldest_done),
+    .idle_o
   );
-  /* verilator lint_on PINCONNECTEMPTY */
 
   // ---- Entry: where the fragment lies, and whether that decides -----------------------------------
   logic                 on_map_x, on_map_y, on_map1_q, averted1_q, outside1_q, unshadowable1_q;
@@ -118,7 +117,7 @@ module shadow_lane (
                        : {defined ? shadow_pkg::ByOutside : shadow_pkg::ByNothing, 1'b0};
 
   // ---- Tile and texel -----------------------------------------------------------------------------
-  logic                                  list;
+  logic                                  list, texel_waits_port, texel_waits_memory, texel_port_busy;
   logic [SlotBits-1:0]                   list_slot;
   logic [shadow_pkg::RecordAddrBits-1:0] list_first;
 
@@ -136,11 +135,12 @@ module shadow_lane (
     .rd_tag_o(texel_rd_tag_o), .rsp_valid_i(texel_rsp_valid_i), .rsp_tag_i(texel_rsp_tag_i),
     .rsp_data_i(texel_rsp_data_i),
     .tile_lit_o(events_o.tile_lit), .tile_dark_o(events_o.tile_dark),
-    .texel_lookup_o(events_o.texel_lookup), .first_test_o(events_o.first_test)
+    .texel_lookup_o(events_o.texel_lookup), .first_test_o(events_o.first_test),
+    .waits_port_o(texel_waits_port), .waits_memory_o(texel_waits_memory), .port_busy_o(texel_port_busy)
   );
 
   // ---- Lists --------------------------------------------------------------------------------------
-  logic                late_dark;
+  logic                late_dark, slb_waits_port, slb_waits_memory, slb_deciding;
   logic [SlotBits-1:0] slb_tag;
   assign slb_rd_tag_o = shadow_pkg::TagBits'(slb_tag);
   list_reader lists (
@@ -152,35 +152,25 @@ module shadow_lane (
     .rd_valid_o(slb_rd_valid_o), .rd_ready_i(slb_rd_ready_i), .rd_addr_o(slb_rd_addr_o),
     .rd_tag_o(slb_tag), .rsp_valid_i(slb_rsp_valid_i), .rsp_tag_i(slb_rsp_tag_i[SlotBits-1:0]),
     .rsp_data_i(slb_rsp_data_i),
-    .entry_read_o(events_o.entry_read), .lines_read_o(events_o.lines_read)
+    .entry_read_o(events_o.entry_read), .lines_read_o(events_o.lines_read),
+    .oldest_i(oldest), .waits_port_o(slb_waits_port), .waits_memory_o(slb_waits_memory),
+    .deciding_o(slb_deciding)
   );
   assign late_verdict        = {late_dark ? shadow_pkg::ByLines : shadow_pkg::ByNothing, late_dark};
   assign events_o.known      = enter && known && settings_i.skip_fragments;
   assign events_o.slb_lookup = list;
 
   // ---- Where cycles go ----------------------------------------------------------------------------
-  // Fragments reach their lists in order: the oldest one is at its list as soon as any is, unless it is
-  // decided. Where it is on the way to records is told by what the port does, not for it alone.
-  logic [SlotBits:0] lists_q, reads_q;
-  always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) begin
-      lists_q <= '0;
-      reads_q <= '0;
-    end else if (clear_i) begin
-      lists_q <= '0;
-      reads_q <= '0;
-    end else begin
-      lists_q <= lists_q + (SlotBits + 1)'(list) - (SlotBits + 1)'(late);
-      reads_q <= reads_q + (SlotBits + 1)'(slb_rd_valid_o && slb_rd_ready_i) - (SlotBits + 1)'(slb_rsp_valid_i);
-    end
-  end
+  // A fragment that has no list, or not yet, is where fragments go in order.
   always_comb begin
     if (take) cause_o = shadow_pkg::LaneFragment;
     else if (frag_ready_o) cause_o = shadow_pkg::LaneInput;
-    else if (oldest_done) cause_o = shadow_pkg::LaneVerdict;
-    else if (lists_q == '0) begin
-      cause_o = texel_rd_valid_o && !texel_rd_ready_i ? shadow_pkg::LaneTexelPort : shadow_pkg::LaneTexel;
-    end else if (slb_rd_valid_o) cause_o = shadow_pkg::LaneSlbPort;
-    else cause_o = reads_q != '0 ? shadow_pkg::LaneSlb : shadow_pkg::LaneDecision;
+    else if (verdict_valid_o && !verdict_ready_i) cause_o = shadow_pkg::LaneVerdict;
+    else if (free) cause_o = texel_port_busy ? shadow_pkg::LaneTexelPort : shadow_pkg::LaneTexel;
+    else if (oldest_done || slb_deciding) cause_o = shadow_pkg::LaneDecision;
+    else if (slb_waits_port) cause_o = shadow_pkg::LaneSlbPort;
+    else if (slb_waits_memory) cause_o = shadow_pkg::LaneSlb;
+    else if (texel_waits_port) cause_o = shadow_pkg::LaneTexelPort;
+    else cause_o = texel_waits_memory ? shadow_pkg::LaneTexel : shadow_pkg::LaneDecision;
   end
 endmodule
