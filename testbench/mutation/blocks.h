@@ -1,0 +1,16 @@
+#pragma once
+/// The blocks that faults are put into, and the tests whose stimulus has to find them.
+#include <string>
+#include <vector>
+
+namespace kagesen {
+
+struct MutationBlock {
+  std::string name;  ///< as a person names it
+  std::string test;  ///< target of tests/rtl
+  std::string dut;   ///< what it verilates
+  unsigned mutants;  ///< by default
+};
+const std::vector<MutationBlock>& mutation_blocks();
+
+}  // namespace kagesen

@@ -1,0 +1,46 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "testbench/mutation/mutation.h"
+#include "testbench/tools/cache.h"
+#include "testbench/tools/process.h"
+#include "testbench/tools/rtl_sources.h"
+#include "testbench/tools/template.h"
+
+namespace kagesen {
+namespace {
+
+std::string miter(const Recording& recording, unsigned mutant) {
+  const auto copy = [&](const char* name, unsigned selector) {
+    return fmt::format("  {} {} (\n{}    .mutsel(16'd{}),\n{});\n", recording.top, name,
+                       recording.clocked ? "    .clk_i(clk_i),\n" : "", selector,
+                       pin_connections(recording, "pins_i", std::string(name) + "_o", ""));
+  };
+  const unsigned out = total_width(recording.outputs);
+  return fmt::format(
+      "module miter (input clk_i, input [{}:0] pins_i);\n  wire [{}:0] good_o, bad_o;\n{}{}"
+      "  always @* assert (good_o == bad_o);\nendmodule\n",
+      total_width(recording.inputs) - 1, out - 1, copy("good", 0), copy("bad", mutant));
+}
+
+}  // namespace
+
+bool proven_equivalent(const Recording& recording, const std::string& folder, unsigned mutant,
+                       double limit_s) {
+  const std::filesystem::path place(folder);
+  write_file(place / "miter.sv", miter(recording, mutant));
+  const std::string script = read_file(source_folder() + "/testbench/mutation/equivalent.ys.in");
+  write_file(place / "equivalent.ys", fill_template(script, {{"RAM", ram_file()}}));
+  const std::string log = (place / "equivalent.log").string();
+  const auto made =
+      run_process({find_tool("yosys", "yosys"), "-q", "equivalent.ys"}, folder, log, limit_s);
+  if (made.status != 0) return false;
+  const std::string commands = fmt::format(
+      "read_aiger miter.aig; fold; orpos; strash; scorr; print_stats; pdr -T {:.0f}", limit_s);
+  run_process({find_tool("berkeley-abc", "berkeley-abc"), "-c", commands}, folder, log,
+              limit_s + 20);
+  return read_file(log).find("Property proved") != std::string::npos;
+}
+
+}  // namespace kagesen
