@@ -20,6 +20,7 @@ module pass_control (
   input  logic        closed_i,       // every channel out of the unit is
   input  logic        outstanding_i,  // some read has no response yet
   output logic [2:0]  pass_o,         // that runs; PassIdle also while an abort ends
+  output logic        pass2_o,        // the pass that runs or ran last is pass 2; so also while its abort ends
   output logic        busy_o,
   output logic        open_o,         // items of the pass may enter
   output logic        waits_o,        // some item of the pass has not entered
@@ -57,6 +58,7 @@ module pass_control (
   end
 
   assign pass_o        = state_q == Idle || state_q == Clear ? shadow_pkg::PassIdle : pass_q;
+  assign pass2_o       = pass_q == shadow_pkg::PassDecide;
   assign busy_o        = state_q != Idle;
   assign waits_o       = left_q != '0;
   assign open_o        = state_q == Run && waits_o;

@@ -87,7 +87,7 @@ module shadow_unit (
   logic [16:0] plane_tolerance;
   logic [6:0]  policy;
   shadow_pkg::settings_t settings;
-  logic        drawing, announcing, deciding, pass1_active;
+  logic        drawing, announcing, deciding, pass1_active, pass2;
   logic        front_idle, store_idle, wiped, settled;
   logic [Lanes-1:0] lane_idle, texel_outstanding, slb_outstanding;
 
@@ -115,7 +115,7 @@ module shadow_unit (
     .items_i(items), .front_idle_i(front_idle), .store_idle_i(store_idle), .wiped_i(wiped),
     .settled_i(settled), .lanes_idle_i(&lane_idle), .closed_i(closed),
     .outstanding_i(|texel_outstanding || |slb_outstanding),
-    .pass_o, .busy_o(busy), .open_o(open), .waits_o(waits), .close_o(closing), .clear_o(clear),
+    .pass_o, .pass2_o(pass2), .busy_o(busy), .open_o(open), .waits_o(waits), .close_o(closing), .clear_o(clear),
     .clear_lanes_o(clear_lanes), .done_o(irq_o), .cycles_o(cycles)
   );
   unit_events events (
@@ -170,14 +170,14 @@ module shadow_unit (
     .visit_tri_i(visit_tri), .idle_o(store_idle),
     .texel_rd_valid_o(store_texel_rd_valid), .texel_rd_ready_i(store_texel_rd_ready),
     .texel_rd_addr_o(store_texel_rd_addr), .texel_rd_tag_o(store_texel_rd_tag),
-    .texel_rsp_valid_i(texel_rsp_valid_i[0] && !deciding),
+    .texel_rsp_valid_i(texel_rsp_valid_i[0] && !pass2),
     .texel_rsp_tag_i(texel_rsp_tag_i[shadow_pkg::TagBits-1:0]),
     .texel_rsp_data_i(texel_rsp_data_i[shadow_pkg::TexelDataBits-1:0]),
     .texel_wr_valid_o(store_texel_wr_valid), .texel_wr_ready_i(store_texel_wr_ready),
     .texel_wr_addr_o, .texel_wr_data_o, .texel_wr_mask_o,
     .slb_rd_valid_o(store_slb_rd_valid), .slb_rd_ready_i(store_slb_rd_ready),
     .slb_rd_addr_o(store_slb_rd_addr), .slb_rd_tag_o(store_slb_rd_tag),
-    .slb_rsp_valid_i(slb_rsp_valid_i[0] && !deciding),
+    .slb_rsp_valid_i(slb_rsp_valid_i[0] && !pass2),
     .slb_rsp_tag_i(slb_rsp_tag_i[shadow_pkg::TagBits-1:0]),
     .slb_rsp_data_i(slb_rsp_data_i[shadow_pkg::RecordBits-1:0]),
     .slb_wr_valid_o(store_slb_wr_valid), .slb_wr_ready_i(store_slb_wr_ready),

@@ -193,19 +193,32 @@ class CheckRun {
         engine_->bench().reset();
         break;
       }
-      if (before) cut(frame, timing.seed, *before, figures);
+      if (before && !cut(input, frame, timing.seed, *before, figures)) break;
       if (varies) ++timing.seed;
     }
     figures.seconds = watch.lap();
     return figures;
   }
 
-  /// Frames that are cut short before the next whole one.
-  void cut(const Frame& frame, std::uint64_t seed, const CycleReport& cycles, Figures& figures) {
-    for (std::uint64_t i = 0; i < aborts_; ++i) {
-      cut_frame(frame, *engine_, i % 2 == 0 ? bench::Bench::Cut::kAbort : bench::Bench::Cut::kReset,
-                seed * 1000 + i, cycles);
-      ++figures.cut;
+  /// Frames that are cut short before the next whole one. False: the unit failed.
+  bool cut(const std::string& input, const Frame& frame, std::uint64_t seed,
+           const CycleReport& cycles, Figures& figures) {
+    try {
+      for (std::uint64_t i = 0; i < aborts_; ++i) {
+        cut_frame(frame, *engine_,
+                  i % 2 == 0 ? bench::Bench::Cut::kAbort : bench::Bench::Cut::kReset,
+                  seed * 1000 + i, cycles);
+        ++figures.cut;
+      }
+      return true;
+    } catch (const bench::Failure& failure) {
+      ++figures.failures;
+      if (first_.is_null()) {
+        told_.push_back(fmt::format("{}, cut short: {}", input, failure.what()));
+        first_ = {{"input", input}, {"kind", "failure"}, {"lines", {failure.what()}}};
+      }
+      engine_->bench().reset();
+      return false;
     }
   }
 

@@ -95,10 +95,14 @@ class Soak {
                   i % 2 == 0 ? bench::Bench::Cut::kAbort : bench::Bench::Cut::kReset,
                   round.cut_seed + i, *cycles_);
       }
-    } catch (const bench::Failure&) {
-      // The whole frame below meets it again, or the cut alone did: either way it is told there.
-      LockStepResult result = lock_step(frame, expected_, *engine_);
-      ++result.failures;
+    } catch (const bench::Failure& failure) {
+      engine_->bench().reset();
+      LockStepResult result;
+      result.fragments = round.trace.all_fragments.size();
+      result.failures = 1;
+      result.first.emplace();
+      result.first->kind = "failure";
+      result.first->lines = {std::string("cut short: ") + failure.what()};
       return result;
     }
     LockStepResult result = lock_step(frame, expected_, *engine_);
