@@ -80,16 +80,20 @@ module edge_setup #(
   localparam int unsigned GradientBits = D + C + 2;
 
   // ---- Program ----
-  // Steps issue products; what they are is there two steps later.
+  // Steps take two cycles and issue products; what they are is there in the first cycle two steps later.
   localparam logic [4:0] PcGradients = 5'd0;   // 0, 1: area; 2, 3: gradient x; 4, 5: y
-  localparam logic [4:0] PcEdge      = 5'd8;   // the edge's direction goes to its register
-  localparam logic [4:0] PcAxes      = 5'd9;   // then its axes, length and rise
+  localparam logic [4:0] PcEdge      = 5'd8;   // the edge's direction and its extent along x
+  localparam logic [4:0] PcAxes      = 5'd9;   // its axes, length and rise
   localparam logic [4:0] PcSteps     = 5'd10;  // the ramps' steps go to their dividers
-  localparam logic [4:0] PcOffset    = 5'd10;  // 10 to 13: start of the plane
-  localparam logic [4:0] PcCorners   = 5'd14;  // 14 to 19: corner functions
-  localparam logic [4:0] PcRamps     = 5'd24;  // 24: offset of minor; 25, 26: of depth along major, minor
-  localparam logic [4:0] PcWait      = 5'd29;  // until the edge is taken
+  localparam logic [4:0] PcOffset    = 5'd10;  // 10 to 13: start of the plane; first texel
+  localparam logic [4:0] PcCorner    = 5'd14;  // 14, 15: corner function 0
+  localparam logic [4:0] PcRamps     = 5'd16;  // 16: offset of minor; 17, 18: of depth along major, minor
+  localparam logic [4:0] PcInto      = 5'd19;  // minor coordinate of the start
+  localparam logic [4:0] PcCorners   = 5'd20;  // 20 to 23: corner functions 1 and 2
+  localparam logic [4:0] PcLast      = 5'd24;  // 24, 25: last texel
+  localparam logic [4:0] PcWait      = 5'd27;  // until the edge is taken
   logic [4:0] pc_q;
+  logic       second_q;  // of a step's cycles
   logic [1:0] edge_q;
   logic       run, flat, last_taken;
   logic [AreaBits-1:0] area_q;
@@ -105,28 +109,31 @@ module edge_setup #(
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      pc_q   <= '0;
-      edge_q <= '0;
+      pc_q     <= '0;
+      second_q <= 1'b0;
+      edge_q   <= '0;
     end else if (clear_i || !run) begin
-      pc_q   <= '0;
-      edge_q <= '0;
+      pc_q     <= '0;
+      second_q <= 1'b0;
+      edge_q   <= '0;
     end else if (pc_q == PcWait) begin
       if (edge_valid_o && edge_ready_i) begin
         pc_q   <= edge_q == 2'd2 ? PcGradients : PcEdge;
         edge_q <= edge_q == 2'd2 ? '0 : edge_q + 1'b1;
       end
     end else if (flat) begin
-      pc_q <= PcGradients;
+      pc_q     <= PcGradients;
+      second_q <= 1'b0;
     end else if (pc_q != PcEdge || !plane_busy_i) begin
-      pc_q <= pc_q + 1'b1;
+      second_q <= !second_q;
+      pc_q     <= pc_q + 5'(second_q);
     end
   end
 
   // ---- Triangle ----
-  shadow_pkg::point_t a, b;
   logic [D-1:0] z0, z1, z2, low01, high01;
   logic [E-1:0] dx0, dx1, dx2, dy0, dy1, dy2;
-  logic [D:0]   dz0, dz2;
+  logic [D:0]   dz0, dz1;
   assign z0  = tri_i.v0.z[shadow_pkg::TraceDepthBits-1 -: D];
   assign z1  = tri_i.v1.z[shadow_pkg::TraceDepthBits-1 -: D];
   assign z2  = tri_i.v2.z[shadow_pkg::TraceDepthBits-1 -: D];
@@ -137,7 +144,7 @@ module edge_setup #(
   assign dy1 = {tri_i.v2.y[C-1], tri_i.v2.y} - {tri_i.v1.y[C-1], tri_i.v1.y};
   assign dy2 = {tri_i.v0.y[C-1], tri_i.v0.y} - {tri_i.v2.y[C-1], tri_i.v2.y};
   assign dz0 = {1'b0, z1} - {1'b0, z0};
-  assign dz2 = {1'b0, z0} - {1'b0, z2};
+  assign dz1 = {1'b0, z2} - {1'b0, z1};
   assign dx_o = {dx2, dx1, dx0};
   assign dy_o = {dy2, dy1, dy0};
   assign low01   = z0 < z1 ? z0 : z1;
@@ -145,75 +152,120 @@ module edge_setup #(
   assign least_o = low01 < z2 ? low01 : z2;
   assign most_o  = high01 > z2 ? high01 : z2;
 
-  always_comb begin
-    case (edge_q)
-      2'd0:    {a, b} = {tri_i.v0, tri_i.v1};
-      2'd1:    {a, b} = {tri_i.v1, tri_i.v2};
-      default: {a, b} = {tri_i.v2, tri_i.v0};
-    endcase
-  end
-
   // ---- Edge ----
-  logic         swap, swap_q, x_major, x_positive, rises;
-  logic [F:0]   start_x, start_y, into_major, into_minor, to_major, to_minor, texel;
-  logic [C-1:0] length, rise, length_q, rise_q;
+  // It goes up along y, a horizontal one up along x: from a vertex to another one.
+  logic         swap_q, swap, rises, x_major;
+  logic [1:0]   next_vertex, from_vertex, to_vertex;
+  logic [E-1:0] edge_dx, edge_dy, difference;
+  logic [C-1:0] extent, length_q, rise_q;
   logic [D:0]   dz;
-  edge_geometry geometry (
-    .texel_bits_i(settings_i.texel_bits), .map_width_i(settings_i.map_width), .map_height_i(settings_i.map_height),
-    .a_i(a), .b_i(b),
-    .swap_o(swap), .swap_i(swap_q), .x_major_o(x_major), .x_positive_o(x_positive),
-    .x_major_i(x_major_o), .x_positive_i(x_positive_o), .rises_i(rises),
-    .first_x_o, .first_y_o, .last_x_o, .last_y_o, .start_x_o(start_x), .start_y_o(start_y),
-    .into_major_o(into_major), .into_minor_o(into_minor), .length_o(length), .rise_o(rise),
-    .first_depth_o, .last_depth_o
-  );
-  assign texel  = (F + 1)'(1) << settings_i.texel_bits;
-  assign to_major = texel - into_major;  // to the next border
-  assign to_minor = texel - into_minor;
-  assign dz     = {1'b0, last_depth_o} - {1'b0, first_depth_o};
-  assign left_o = swap_q != clockwise_o;
+  assign next_vertex = edge_q == 2'd2 ? 2'd0 : edge_q + 1'b1;
+  assign from_vertex = swap_q ? next_vertex : edge_q;
+  assign to_vertex   = swap_q ? edge_q : next_vertex;
+  assign edge_dx     = edge_q == 2'd0 ? dx0 : edge_q == 2'd1 ? dx1 : dx2;
+  assign edge_dy     = edge_q == 2'd0 ? dy0 : edge_q == 2'd1 ? dy1 : dy2;
+  assign swap        = edge_dy[E-1] || (edge_dy == '0 && edge_dx[E-1]);
+  assign difference  = pc_q == PcEdge ? edge_dx : edge_dy;
+  assign extent      = (difference[C-1:0] ^ {C{difference[E-1]}}) + C'(difference[E-1]);
+  assign x_major     = length_q > extent;
   always_ff @(posedge clk_i) begin
-    if (pc_q == PcEdge) swap_q <= swap;
-    if (pc_q == PcAxes) begin
-      x_major_o    <= x_major;
-      x_positive_o <= x_positive;
-      length_q     <= length;
-      rise_q       <= rise;
+    if (pc_q == PcEdge) begin
+      swap_q       <= swap;
+      x_positive_o <= edge_dx == '0 || edge_dx[E-1] == swap;
+      length_q     <= extent;
+    end
+    if (pc_q == PcAxes && !second_q) begin
+      x_major_o <= x_major;
+      length_q  <= x_major ? length_q : extent;
+      rise_q    <= x_major ? extent : length_q;
     end
   end
-  assign rises    = rise_q != '0;
-  assign length_o = length_q;
-  assign rise_o   = rise_q;
+  assign rises         = rise_q != '0;
+  assign length_o      = length_q;
+  assign rise_o        = rise_q;
+  assign left_o        = swap_q != clockwise_o;
+  assign first_depth_o = from_vertex == 2'd0 ? z0 : from_vertex == 2'd1 ? z1 : z2;
+  assign last_depth_o  = to_vertex == 2'd0 ? z0 : to_vertex == 2'd1 ? z1 : z2;
+  assign dz            = {1'b0, last_depth_o} - {1'b0, first_depth_o};
+
+  // ---- Its ends' texels, one coordinate a step ----
+  // An end on a border belongs to the texel before it, a start to the one after; on an axis without
+  // extent both do to the one after.
+  logic         at_end, along_y, on_before;
+  logic [1:0]   vertex;
+  logic [C-1:0] x, y;
+  logic [R-1:0] index;
+  logic [F:0]   units, into_minor_q;
+  assign at_end = pc_q >= PcLast;
+  assign vertex = at_end ? to_vertex : from_vertex;
+  assign x      = vertex == 2'd0 ? tri_i.v0.x : vertex == 2'd1 ? tri_i.v1.x : tri_i.v2.x;
+  assign y      = vertex == 2'd0 ? tri_i.v0.y : vertex == 2'd1 ? tri_i.v1.y : tri_i.v2.y;
+  assign on_before = along_y ? at_end && (!x_major_o || rises)
+                : at_end ? x_positive_o && (x_major_o || rises) : !x_positive_o;
+  edge_geometry geometry (
+    .texel_bits_i(settings_i.texel_bits), .map_size_i(along_y ? settings_i.map_height : settings_i.map_width),
+    .coordinate_i(along_y ? y : x), .before_i(on_before), .index_o(index), .inside_o(units));
+  always_ff @(posedge clk_i) begin
+    if (pc_q == PcOffset) first_x_o <= index;
+    if (pc_q == PcOffset + 5'd2) first_y_o <= index;
+    if (pc_q == PcLast) last_x_o <= index;
+    if (pc_q == PcLast + 5'd1) last_y_o <= index;
+    if (pc_q == PcInto) into_minor_q <= way[F:0];
+  end
 
   // ---- Products ----
-  logic [E-1:0]            factor_a, factor_b;
+  // Ways from the start, inside its texel: to the centre, to the corner, to the texel's sides. Along x they
+  // may go down: what is before the start then is the rest of the texel.
+  logic [E-1:0]            factor_a, factor_b, way, way_base;
   logic [2*E-1:0]          product;
   logic [GradientBits-1:0] gradient_x, gradient_y;
-  logic [F+1:0]            centre_x, centre_y;  // signed, from the start to the first texel's centre
-  assign centre_x = {2'b0, texel[F:1]} - {1'b0, start_x};
-  assign centre_y = {2'b0, texel[F:1]} - {1'b0, start_y};
-  multiplier #(.ABits(E), .BBits(E)) multiplier (.clk_i, .a_i(factor_a), .b_i(factor_b), .product_o(product));
+  logic [F:0]              texel;
+  logic                    down, way_less;
+  assign texel = (F + 1)'(1) << settings_i.texel_bits;
+  assign down  = !along_y && !x_positive_o;
+  always_comb begin
+    way_base = '0;
+    way_less = 1'b0;
+    case (pc_q)
+      5'd10, 5'd11, 5'd12, 5'd13: begin way_base = E'(texel[F:1]); way_less = 1'b1; end
+      5'd16: if (down) way_base = ~(E'(texel) - 1'b1); else way_less = 1'b1;             // back, negative
+      5'd17, 5'd18: if (!down) begin way_base = E'(texel); way_less = 1'b1; end         // on
+      5'd19: if (down) begin way_base = E'(texel); way_less = 1'b1; end                 // back
+      default: ;
+    endcase
+    case (pc_q)
+      5'd10, 5'd11, 5'd14, 5'd20, 5'd22, PcLast: along_y = 1'b0;
+      5'd16, 5'd17: along_y = !x_major_o;
+      5'd18, 5'd19: along_y = x_major_o;
+      default: along_y = 1'b1;
+    endcase
+  end
+  assign way = way_base + (E'(units) ^ {E{way_less}}) + E'(way_less);
+  two_pass_multiplier #(.ABits(E), .BBits(E)) multiplier (
+    .clk_i, .take_i(second_q), .a_i(factor_a), .b_i(factor_b), .product_o(product));
   always_comb begin
     case (pc_q)
-      5'd0:    begin factor_a = dx2; factor_b = dy0; end
-      5'd1:    begin factor_a = dx0; factor_b = dy2; end
-      5'd2:    begin factor_a = E'($signed(dz2)); factor_b = dy0; end
-      5'd3:    begin factor_a = E'($signed(dz0)); factor_b = dy2; end
-      5'd4:    begin factor_a = E'($signed(dz0)); factor_b = dx2; end
-      5'd5:    begin factor_a = E'($signed(dz2)); factor_b = dx0; end
-      5'd10:   begin factor_a = E'($signed(gradient_x[GradientBits-1:C-1])); factor_b = E'($signed(centre_x)); end
-      5'd11:   begin factor_a = E'(gradient_x[C-2:0]); factor_b = E'($signed(centre_x)); end
-      5'd12:   begin factor_a = E'($signed(gradient_y[GradientBits-1:C-1])); factor_b = E'($signed(centre_y)); end
-      5'd13:   begin factor_a = E'(gradient_y[C-2:0]); factor_b = E'($signed(centre_y)); end
-      5'd14:   begin factor_a = dy0; factor_b = E'(start_x); end
-      5'd15:   begin factor_a = dx0; factor_b = E'(start_y); end
-      5'd16:   begin factor_a = dy1; factor_b = E'(start_x); end
-      5'd17:   begin factor_a = dx1; factor_b = E'(start_y); end
-      5'd18:   begin factor_a = dy2; factor_b = E'(start_x); end
-      5'd19:   begin factor_a = dx2; factor_b = E'(start_y); end
-      5'd24:   begin factor_a = E'(rise_q); factor_b = E'(0) - E'(into_major); end
-      5'd25:   begin factor_a = E'($signed(dz)); factor_b = E'(to_major); end
-      default: begin factor_a = E'($signed(dz)); factor_b = E'(to_minor); end
+      5'd0, 5'd15:  factor_a = dx0;
+      5'd1, 5'd21:  factor_a = dx1;
+      5'd2, 5'd5:   factor_a = E'($signed(dz0));
+      5'd3, 5'd4:   factor_a = E'($signed(dz1));
+      5'd10:        factor_a = E'($signed(gradient_x[GradientBits-1:C-1]));
+      5'd11:        factor_a = E'(gradient_x[C-2:0]);
+      5'd12:        factor_a = E'($signed(gradient_y[GradientBits-1:C-1]));
+      5'd13:        factor_a = E'(gradient_y[C-2:0]);
+      5'd14:        factor_a = dy0;
+      5'd16:        factor_a = E'(rise_q);
+      5'd17, 5'd18: factor_a = E'($signed(dz));
+      5'd20:        factor_a = dy1;
+      5'd22:        factor_a = dy2;
+      default:      factor_a = dx2;
+    endcase
+    case (pc_q)
+      5'd0, 5'd2: factor_b = dy1;
+      5'd1, 5'd3: factor_b = dy0;
+      5'd4:       factor_b = dx0;
+      5'd5:       factor_b = dx1;
+      default:    factor_b = way;
     endcase
   end
 
@@ -222,26 +274,27 @@ module edge_setup #(
   // what the way to the corner adds.
   logic [2*E-1:0] sum_q, sum_from;
   logic           clockwise_q, clockwise, sum_first, sum_less, sum_area;
-  logic [1:0]     start_vertex, corner;
+  logic [1:0]     corner;
+  logic [2:0]     corner_done;
   logic           corner_opposite;
-  assign corner          = pc_q == PcCorners + 5'd2 ? 2'd0 : pc_q == PcCorners + 5'd4 ? 2'd1 : 2'd2;  // function of a first product
-  assign start_vertex    = swap_q ? (edge_q == 2'd2 ? 2'd0 : edge_q + 1'b1) : edge_q;
-  assign corner_opposite = corner == (start_vertex == 2'd2 ? 2'd0 : start_vertex + 1'b1);
+  assign corner          = pc_q == PcCorner + 5'd2 ? 2'd0 : pc_q == PcCorners + 5'd2 ? 2'd1 : 2'd2;  // function of a first product
+  assign corner_done     = {pc_q == PcCorners + 5'd6, pc_q == PcCorners + 5'd4, pc_q == PcCorner + 5'd4};
+  assign corner_opposite = corner == (from_vertex == 2'd2 ? 2'd0 : from_vertex + 1'b1);
   assign sum_first       = !pc_q[0];
   assign sum_less        = pc_q[0];
-  assign sum_area        = sum_first && pc_q >= PcCorners && corner_opposite;
+  assign sum_area        = sum_first && pc_q >= PcCorner && corner_opposite;
   assign sum_from        = !sum_first ? sum_q : sum_area ? {2'b0, area_q} ^ {(2*E){clockwise_q}} : '0;
   assign clockwise       = pc_q == 5'd4 ? sum_q[2*E-1] : clockwise_q;
   assign clockwise_o     = clockwise_q;
   assign area_o          = area_q;
   always_ff @(posedge clk_i) begin
-    sum_q <= sum_from + (product ^ {(2*E){sum_less}}) + {{(2*E-1){1'b0}}, sum_less || (sum_area && clockwise_q)};
-    if (pc_q == 5'd4) begin
+    if (!second_q) sum_q <= sum_from + (product ^ {(2*E){sum_less}}) + {{(2*E-1){1'b0}}, sum_less || (sum_area && clockwise_q)};
+    if (pc_q == 5'd4 && !second_q) begin
       clockwise_q <= clockwise;
       area_q      <= clockwise ? -sum_q[AreaBits-1:0] : sum_q[AreaBits-1:0];
     end
     for (int i = 0; i < 3; i++) begin
-      if (pc_q == PcCorners + 5'd4 + 5'(2 * i)) begin
+      if (corner_done[i] && !second_q) begin
         corner_o[i*CornerBits +: CornerBits] <= CornerBits'($signed(sum_q) >>> settings_i.texel_bits);
         corner_inexact_o[i]                  <= (sum_q[F:0] & (texel - 1'b1)) != '0;
       end
@@ -253,11 +306,11 @@ module edge_setup #(
   plane_setup plane (
     .clk_i, .rst_ni, .clear_i, .texel_bits_i(settings_i.texel_bits), .farthest_i(settings_i.hidden_removal == 2'd2),
     .product_i(product),
-    .gradient_x_i(pc_q == 5'd4 || pc_q == 5'd5), .gradient_y_i(pc_q == 5'd6 || pc_q == 5'd7),
-    .offset_i(pc_q >= PcOffset + 5'd2 && pc_q < PcOffset + 5'd6),
+    .gradient_x_i(!second_q && (pc_q == 5'd4 || pc_q == 5'd5)), .gradient_y_i(!second_q && (pc_q == 5'd6 || pc_q == 5'd7)),
+    .offset_i(!second_q && pc_q >= PcOffset + 5'd2 && pc_q < PcOffset + 5'd6),
     .first_i(pc_q == 5'd4 || pc_q == 5'd6 || pc_q == PcOffset + 5'd2),
     .less_i(pc_q[0] != clockwise), .high_i(!pc_q[0]),
-    .start_i(pc_q == PcEdge && edge_q == 2'd0 && !flat && run && !plane_busy_i),
+    .start_i(pc_q == PcEdge && edge_q == 2'd0 && second_q && !flat && run),
     .offset_ready_i(offset_full_q), .offset_taken_o(offset_taken),
     .area_i(area_q), .range_i(most_o - least_o),
     .gradient_x_o(gradient_x), .gradient_y_o(gradient_y),
@@ -271,7 +324,7 @@ module edge_setup #(
     if (!rst_ni) offset_full_q <= 1'b0;
     else if (clear_i) offset_full_q <= 1'b0;
     else begin
-      offset_full_q <= pc_q == PcOffset + 5'd5 || (offset_full_q && !offset_taken);
+      offset_full_q <= (pc_q == PcOffset + 5'd5 && !second_q) || (offset_full_q && !offset_taken);
       `CHECK(triangle_stays, run || pc_q == '0)
       `CHECK(dividers_free, (ramp_start & ~ramp_ready) == '0 && (pc_q != PcOffset || !offset_full_q))
     end
@@ -286,11 +339,11 @@ module edge_setup #(
   logic [Q-1:0] major_quotient, minor_depth_quotient;
   logic [C-1:0] rise_divisor;
   logic [N-1:0] depth_numerator;
-  assign steps           = pc_q == PcSteps;
+  assign steps           = pc_q == PcSteps && !second_q;
   assign rise_divisor    = rises ? rise_q : C'(1);  // nothing moves along the minor axis
   assign depth_numerator = steps ? N'($signed(dz)) << settings_i.texel_bits : product[N-1:0];
   for (genvar i = 0; i < 3; i++) begin : g_ramp
-    assign ramp_start[i] = steps || pc_q == PcRamps + 5'd2 + 5'(i);
+    assign ramp_start[i] = steps || (pc_q == PcRamps + 5'd2 + 5'(i) && !second_q);
     assign ramp_taken[i] = edge_valid_o ? edge_ready_i : !steps_kept;
   end
   divider #(.NumeratorBits(C+F+1), .DivisorBits(C), .QuotientBits(F+3)) minor_divider (
@@ -324,7 +377,7 @@ module edge_setup #(
       end
     end
   end
-  assign minor_whole_o            = minor_quotient + (F + 3)'(into_minor);
+  assign minor_whole_o            = minor_quotient + (F + 3)'(into_minor_q);
   assign major_depth_whole_o      = major_quotient[D:0] + {1'b0, first_depth_o};
   assign minor_depth_whole_o      = minor_depth_quotient[D:0] + {1'b0, first_depth_o};
 
