@@ -64,7 +64,7 @@ module front (
     .plane_tolerance_i(settings_i.plane_tolerance), .tri_valid_i, .tri_ready_o, .tri_i,
     .factors_ready_i(!edge_factors), .factor_a_o(plane_a),
     .factor_b_o(plane_b), .product_i(product), .area_o(has_area),
-    .valid_o(tri_valid), .ready_i(tri_done), .vertices_o(vertices), .edge_dx_o(edge_dx), .edge_dy_o(edge_dy),
+    .valid_o(tri_valid), .ready_i(tri_done), .keep_i(fill_keep), .whole_i(depth), .rest_i(rest), .vertices_o(vertices), .edge_dx_o(edge_dx), .edge_dy_o(edge_dy),
     .inner_o(inner), .upward_o(upward), .clockwise_o(clockwise), .visit_tri_o(visit_tri), .base_o(base),
     .step_x_whole_o(step_x), .step_x_rest_o(step_x_rest), .step_y_whole_o(step_y),
     .step_y_rest_o(step_y_rest), .start_whole_o(start), .start_rest_o(start_rest),
@@ -169,8 +169,9 @@ module front (
   logic [T-1:0] place_x_q, place_y_q, from_x, from_y;
   logic         covers;
   logic         fill_load, fill_x, fill_y, fill_back, filling;
-  logic [Depth-1:0] depth, fill_whole, fill_step;
-  logic [D-1:0] rest, fill_rest, fill_step_rest;
+  logic         fill_keep;
+  logic [Depth-1:0] depth, fill_step;
+  logic [D-1:0] rest, fill_step_rest;
   assign filling  = state_q == Fill;
   assign tri_done = filling && !gaps_busy;
   assign from_x  = load_place ? low_x : place_x_q;
@@ -184,7 +185,7 @@ module front (
     .clockwise_i(clockwise), .move_x_i(move_x), .back_i(move_back), .move_y_i(move_y), .inside_o(covers));
   plane_ramp #(.WholeBits(Depth), .RestBits(D)) ramp (
     .clk_i, .load_i(filling ? fill_load : load_place),
-    .whole_i(filling ? fill_whole : start), .rest_i(filling ? fill_rest : start_rest),
+    .whole_i(start), .rest_i(start_rest),
     .move_x_i(filling ? fill_x : move_x), .move_y_i(filling ? fill_y : move_y),
     .back_i(filling ? fill_back : move_back),
     .x_whole_i(filling ? fill_step : step_x), .x_rest_i(filling ? fill_step_rest : step_x_rest),
@@ -203,18 +204,18 @@ module front (
     .gap_valid_o(gap_valid), .gap_ready_i(gap_ready), .gap_y_o(gap_y), .gap_from_o(gap_from),
     .gap_to_o(gap_to), .gaps_busy_o(gaps_busy));
 
-  logic           word_valid;
+  logic           word_valid, pair_upper;
   logic [M-1:0]   word_x, word_y;
   logic [3:0]     word_mask;
-  logic [4*B-1:0] word_bases;
+  logic [2*B-1:0] pair_bases;
   span_filler filler (
     .clk_i, .rst_ni, .clear_i, .start_i(state_q == Gaps), .start_x_i(low_x), .start_y_i(low_y),
     .gap_valid_i(gap_valid), .gap_ready_o(gap_ready), .gap_y_i(gap_y), .gap_from_i(gap_from), .gap_to_i(gap_to),
-    .start_whole_i(start), .start_rest_i(start_rest), .step_x_whole_i(step_x),
-    .step_x_rest_i(step_x_rest), .base_i(base), .whole_i(depth), .rest_i(rest), .load_o(fill_load),
-    .whole_o(fill_whole), .rest_o(fill_rest), .move_x_o(fill_x), .move_y_o(fill_y), .back_o(fill_back),
+    .step_x_whole_i(step_x), .step_x_rest_i(step_x_rest), .base_i(base), .whole_i(depth), .rest_i(rest),
+    .keep_o(fill_keep), .load_o(fill_load), .move_x_o(fill_x), .move_y_o(fill_y), .back_o(fill_back),
     .step_whole_o(fill_step), .step_rest_o(fill_step_rest), .word_valid_o(word_valid),
-    .word_ready_i(out_free), .x_o(word_x), .y_o(word_y), .mask_o(word_mask), .bases_o(word_bases));
+    .pair_ready_i(out_free), .upper_o(pair_upper), .x_o(word_x), .y_o(word_y), .mask_o(word_mask),
+    .bases_o(pair_bases));
 
   // ---- Walk ----
   logic         row_starts_q;   // the walker's texel is the first one of its row
@@ -312,26 +313,17 @@ module front (
   logic               out_valid_q, out_inner_q, out_covers_q, dropped;
   shadow_pkg::visit_t out_q, out;
   always_comb begin
-    out = '0;
-    unique case (state_q)
-      Begin: out.kind = shadow_pkg::VisitBegin;
-      Fill: begin
-        out.kind = shadow_pkg::VisitSpan;
-        out.x    = word_x;
-        out.y    = word_y;
-        out.mask = word_mask;
-        {out.base3, out.base2, out.base1, out.base0} = word_bases;
-      end
-      default: begin
-        out.kind          = shadow_pkg::VisitEdge;
-        out.x             = place_x_q[M-1:0];
-        out.y             = place_y_q[M-1:0];
-        out.base0         = depth[Depth-1 -: B];
-        out.has_segment   = has_segment && !passes_q && !(inner[walked_q] && dot);
-        out.segment       = piece;
-        out.segment.inner = inner[walked_q];
-      end
-    endcase
+    out.kind          = state_q == Begin ? shadow_pkg::VisitBegin
+                      : filling ? shadow_pkg::VisitSpan : shadow_pkg::VisitEdge;
+    out.x             = filling ? word_x : place_x_q[M-1:0];
+    out.y             = filling ? word_y : place_y_q[M-1:0];
+    out.mask          = word_mask;
+    out.corner        = 1'b0;  // known a cycle later
+    out.has_segment   = !filling && has_segment && !passes_q && !(inner[walked_q] && dot);
+    out.segment       = piece;
+    out.segment.inner = inner[walked_q];
+    {out.base1, out.base0} = pair_bases;  // the first one is the place's own
+    {out.base3, out.base2} = pair_bases;
   end
   // An edge that is not walked visits only where it has a corner to count.
   assign dropped       = out_inner_q && !(out_covers_q && !visited);
@@ -350,6 +342,8 @@ module front (
   always_ff @(posedge clk_i) begin
     if (out_free) begin
       out_q        <= out;
+      // A word's first pair has waited there.
+      if (filling && pair_upper) {out_q.base1, out_q.base0} <= {out_q.base1, out_q.base0};
       out_inner_q  <= visit_it && passes_q;
       out_covers_q <= visit_it && covers;
     end

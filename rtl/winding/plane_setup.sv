@@ -39,6 +39,9 @@ module plane_setup #(
   // to the walk: a triangle with an area. All that follows belongs to it and holds until it is done with
   output logic                   valid_o,
   input  logic                   ready_i,
+  input  logic                   keep_i,         // this value as the start
+  input  logic [Depth-1:0]       whole_i,
+  input  logic [D-1:0]           rest_i,
   output logic [6*C-1:0]         vertices_o,     // x, y of vertex i at 2 i C and (2 i + 1) C
   output logic [3*C+2:0]         edge_dx_o,      // edge i to i + 1 at i (C + 1), signed
   output logic [3*C+2:0]         edge_dy_o,
@@ -466,7 +469,10 @@ module plane_setup #(
       grad_y_q <= '0;
     end
 
-    if (div_done && div_take) begin
+    if (keep_i) begin
+      start_whole_o <= whole_i;
+      start_rest_o  <= rest_i;
+    end else if (div_done && div_take) begin
       unique case (division_q)
         DivStepX: begin
           step_x_whole_o <= quotient[Depth-1:0];
