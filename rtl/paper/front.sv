@@ -196,6 +196,7 @@ module front (
     .clk_i, .rst_ni, .clear_i, .ready_i(advance), .load_i(fresh), .rest_i(plane_rest), .whole_i(plane_whole),
     .depth_i(entry), .loading_o(loading), .reload_i(fill_load), .reload_rest_i(fill_rest), .reload_whole_i(fill_whole),
     .move_x_i(walk_x || fill_x), .move_y_i(walk_y || fill_y), .back_i(walk_x ? walk_back : fill_back), .two_i(fill_two),
+    .prepare_i(fresh),
     .x_less_i(plane_x_less_q), .x_whole_i(plane_x_whole_q), .x_rest_i(plane_x_rest_q),
     .y_less_i(plane_y_less_q), .y_whole_i(plane_y_whole_q), .y_rest_i(plane_y_rest_q), .base_i(area_q),
     .rest_o(ramp_rest), .whole_o(ramp_whole), .next_whole_o(next_whole)

@@ -3,7 +3,8 @@
 // Twins:   ExactRamp in model/unit/fixed.h, Polygon::centre_ramp in model/unit/span_filler.h.
 // Numbers: value = whole + rest / base, 0 <= rest < base. What is kept of the rest is itself or rest - base:
 //          so the next sum needs no correction, and its sign is the carry into the whole part.
-//          A step is whole + (rest + less) / base, downwards where less is set.
+//          A step is whole + (rest + less) / base, downwards where less is set. Two of them along x are
+//          2 whole + 1 + twice_rest / base, again signed: -base <= twice_rest <= base.
 // Timing:  load, reload and move in cycle n, rest_o of the new texel in n + 1, whole_o in n + 2. A reload
 //          may move at once. Nothing happens without ready_i.
 module plane_walk #(
@@ -27,6 +28,7 @@ module plane_walk #(
   input  logic                 move_y_i,       // or up along y, never both
   input  logic                 back_i,         // down along x
   input  logic                 two_i,          // up along x, two texels; of whole_o only DepthBits are right then
+  input  logic                 prepare_i,      // in a cycle before the first such, with no move by two
   input  logic                 x_less_i,       // steps, and base; constant between a load and the last move
   input  logic [WholeBits-2:0] x_whole_i,
   input  logic [RestBits-1:0]  x_rest_i,
@@ -39,35 +41,43 @@ module plane_walk #(
   output logic [DepthBits-1:0] next_whole_o    // with whole_o: after the first of two texels
 );
   localparam int unsigned R = RestBits + 1;
-  logic [R-1:0] rest_q, from, step, base, sum, major, step2, base2, sum2, major2;
-  logic         move, down, back, move_q, move_x_q, back_q, two_q, carry_q, load_q, reload_q;
+  logic [R-1:0] rest_q, from, step, base, sum, major, one_from, one_step, one_base, one, one_major, twice_rest_q;
+  logic         move, down, inverse, back, move_q, move_x_q, inverse_q, two_q, one_carry_q, load_q, reload_q;
 
   // ---- Rest ----
-  assign move  = move_x_i || move_y_i;
-  assign down  = move_x_i && back_i;
-  assign back  = down != (move_x_i ? x_less_i : y_less_i);
-  assign from  = reload_i ? reload_rest_i : rest_q;
-  assign step  = {1'b0, move_x_i ? x_rest_i : y_rest_i} ^ {R{back}};
-  assign base  = ({1'b0, base_i} ^ {R{!back}}) & {R{back == from[R-1]}};
-  assign major = (from & step) | (from & base) | (step & base);
-  assign sum   = (from ^ step ^ base) + {major[R-2:0], down} + {{(R-1){1'b0}}, !back && !from[R-1]};
+  // With the step, base is added or subtracted so that the sum is in range; back: the sum would fall.
+  assign move    = move_x_i || move_y_i;
+  assign down    = move_x_i && back_i;
+  assign inverse = down != (move_x_i ? x_less_i : y_less_i);
+  assign back    = inverse != (two_i && twice_rest_q[R-1]);
+  assign from    = reload_i ? reload_rest_i : rest_q;
+  assign step    = (two_i ? twice_rest_q : {1'b0, move_x_i ? x_rest_i : y_rest_i}) ^ {R{inverse}};
+  assign base    = ({1'b0, base_i} ^ {R{!back}}) & {R{back == from[R-1]}};
+  assign major   = (from & step) | (from & base) | (step & base);
+  assign sum     = (from ^ step ^ base) + {major[R-2:0], two_i ? x_less_i : down} + {{(R-1){1'b0}}, !back && !from[R-1]};
 
-  assign step2  = {1'b0, x_rest_i} ^ {R{x_less_i}};
-  assign base2  = ({1'b0, base_i} ^ {R{!x_less_i}}) & {R{x_less_i == sum[R-1]}};
-  assign major2 = (sum & step2) | (sum & base2) | (step2 & base2);
-  assign sum2   = (sum ^ step2 ^ base2) + {major2[R-2:0], 1'b0} + {{(R-1){1'b0}}, !x_less_i && !sum[R-1]};
+  // One texel up along x, for its carry. Before: twice (rest + less) - base.
+  logic one_less, one_more;  // base is subtracted or added
+  assign one_less  = prepare_i || (!x_less_i && !rest_q[R-1]);
+  assign one_more  = x_less_i && rest_q[R-1];
+  assign one_from  = prepare_i ? {x_rest_i, x_less_i} : rest_q;
+  assign one_step  = prepare_i ? R'(x_less_i) : {1'b0, x_rest_i} ^ {R{x_less_i}};
+  assign one_base  = ({1'b0, base_i} ^ {R{one_less}}) & {R{one_less || one_more}};
+  assign one_major = (one_from & one_step) | (one_from & one_base) | (one_step & one_base);
+  assign one       = (one_from ^ one_step ^ one_base) + {one_major[R-2:0], 1'b0} + {{(R-1){1'b0}}, one_less};
 
   always_ff @(posedge clk_i) begin
     if (ready_i) begin
       if (load_i) rest_q <= rest_i;
-      else if (move) rest_q <= two_i ? sum2 : sum;
+      else if (move) rest_q <= sum;
       else rest_q <= from;
-      move_q   <= move;
-      move_x_q <= move_x_i;
-      back_q   <= back;
-      two_q    <= two_i;
-      carry_q  <= !sum[R-1];
+      move_q      <= move;
+      move_x_q    <= move_x_i;
+      inverse_q   <= inverse;
+      two_q       <= two_i;
+      one_carry_q <= !one[R-1];
     end
+    if (prepare_i) twice_rest_q <= one;
   end
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -85,21 +95,22 @@ module plane_walk #(
   assign rest_o    = rest_q;
 
   // ---- Whole part ----
-  logic [WholeBits-1:0] whole_q, whole_from, whole_step, whole_sum;
-  logic [DepthBits-1:0] whole_two;
+  logic [WholeBits-1:0] whole_q, whole_from, whole_step;
+  logic [DepthBits-1:0] low_step;
   assign whole_from = load_q ? whole_i
                     : {whole_q[WholeBits-1:DepthBits], reload_q ? reload_whole_i : whole_q[DepthBits-1:0]};
+  assign low_step   = two_q ? {x_whole_i[DepthBits-2:0], !twice_rest_q[R-1]}
+                    : move_x_q ? x_whole_i[DepthBits-1:0] : y_whole_i[DepthBits-1:0];
   assign whole_step = load_q ? WholeBits'(depth_i)
-                    : ({1'b0, move_x_q ? x_whole_i : y_whole_i} ^ {WholeBits{back_q}}) & {WholeBits{move_q}};
-  assign whole_sum  = whole_from + whole_step + WholeBits'(carry_q && move_q && !load_q);
-  assign whole_two  = whole_sum[DepthBits-1:0] + (x_whole_i[DepthBits-1:0] ^ {DepthBits{x_less_i}})
-                    + DepthBits'(!rest_q[R-1]);
+                    : ({1'b0, move_x_q ? x_whole_i[WholeBits-2:DepthBits] : y_whole_i[WholeBits-2:DepthBits], low_step}
+                       ^ {WholeBits{inverse_q}}) & {WholeBits{move_q}};
   always_ff @(posedge clk_i) begin
-    if (ready_i) whole_q <= {whole_sum[WholeBits-1:DepthBits], two_q ? whole_two : whole_sum[DepthBits-1:0]};
+    if (ready_i) whole_q <= whole_from + whole_step + WholeBits'(move_q && !load_q && !rest_q[R-1]);
   end
   assign whole_o      = whole_q;
-  assign next_whole_o = whole_sum[DepthBits-1:0];
+  assign next_whole_o = whole_q[DepthBits-1:0] + (x_whole_i[DepthBits-1:0] ^ {DepthBits{x_less_i}})
+                      + DepthBits'(one_carry_q);
 
   logic unused;
-  assign unused = &{1'b0, major[R-1], major2[R-1]};
+  assign unused = &{1'b0, major[R-1], one_major[R-1]};
 endmodule
