@@ -11,7 +11,8 @@ module divider #(
   parameter int unsigned NumeratorBits = 55,  // with sign
   parameter int unsigned DivisorBits   = 28,
   parameter int unsigned QuotientBits  = 29,  // with sign, at most NumeratorBits; odd
-  parameter int unsigned SkipBits      = 0    // even; 0: never skip; below DivisorBits and QuotientBits
+  parameter int unsigned SkipBits      = 0,   // even; 0: never skip; below DivisorBits and QuotientBits
+  parameter bit          Floor         = 1'b1 // 0: of a negative n quotient and remainder of ~n come out
 ) (
   input  logic                     clk_i,
   input  logic                     rst_ni,
@@ -73,8 +74,8 @@ module divider #(
 
   assign ready_o     = !busy_q && !done_q;
   assign valid_o     = done_q;
-  assign quotient_o  = {1'b0, low_q} ^ {QuotientBits{negative_q}};
-  assign remainder_o = negative_q ? divisor_i + ~rest_q : rest_q;
+  assign quotient_o  = {1'b0, low_q} ^ {QuotientBits{Floor && negative_q}};
+  assign remainder_o = Floor && negative_q ? divisor_i + ~rest_q : rest_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin

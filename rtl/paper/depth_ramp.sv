@@ -1,26 +1,31 @@
 // Depth ramp: an edge's depth at its next border along one axis.
 //
 // Twin:    EdgeSetup::major_depth and minor_depth in model/unit/edge_setup.h.
+// Numbers: depth = whole + rest / base; kept of the rest, and steps: as in plane_walk.
 // Timing:  load or advance in cycle n, the new depth in n + 1.
 module depth_ramp #(
-  localparam int unsigned W = shadow_pkg::DepthBits + 1,
+  localparam int unsigned D = shadow_pkg::DepthBits,
   localparam int unsigned C = shadow_pkg::CoordBits
 ) (
   input  logic         clk_i,
   input  logic         load_i,
-  input  logic [W-1:0] whole_i,       // at the first border; wraps where no border is crossed
-  input  logic [C-1:0] rest_i,
-  input  logic [W-1:0] step_whole_i,  // taken with the load, as the next
+  input  logic [D:0]   whole_i,       // at the first border; wraps where no border is crossed
+  input  logic [C:0]   rest_i,        // as kept
+  input  logic [D-1:0] step_whole_i,  // taken with the load, as the next
   input  logic [C-1:0] step_rest_i,
-  input  logic [C-1:0] base_i,        // constant until the next load
+  input  logic         less_i,        // the depth falls; constant from the cycle after the load to the next one
+  input  logic [C-1:0] base_i,        // as this
   input  logic         advance_i,
-  output logic [W-1:0] whole_o
+  output logic [D:0]   whole_o
 );
-  logic [W-1:0] whole_q, step_whole_q, whole_next;
-  logic [C-1:0] rest_q, step_rest_q, rest_next;
-  exact_step #(.WholeBits(W), .RestBits(C)) step (
-    .whole_i(whole_q), .rest_i(rest_q), .step_whole_i(step_whole_q), .step_rest_i(step_rest_q), .base_i,
-    .whole_o(whole_next), .rest_o(rest_next));
+  logic [D:0]   whole_q;
+  logic [D-1:0] step_whole_q;
+  logic [C-1:0] step_rest_q;
+  logic [C:0]   rest_q, step, base, major, sum;
+  assign step  = {1'b0, step_rest_q} ^ {(C+1){less_i}};
+  assign base  = ({1'b0, base_i} ^ {(C+1){!less_i}}) & {(C+1){less_i == rest_q[C]}};
+  assign major = (rest_q & step) | (rest_q & base) | (step & base);
+  assign sum   = (rest_q ^ step ^ base) + {major[C-1:0], 1'b0} + (C+1)'(!less_i && !rest_q[C]);
   always_ff @(posedge clk_i) begin
     if (load_i) begin
       whole_q      <= whole_i;
@@ -28,9 +33,11 @@ module depth_ramp #(
       step_whole_q <= step_whole_i;
       step_rest_q  <= step_rest_i;
     end else if (advance_i) begin
-      whole_q <= whole_next;
-      rest_q  <= rest_next;
+      whole_q <= whole_q + ({1'b0, step_whole_q} ^ {(D+1){less_i}}) + (D+1)'(!sum[C]);
+      rest_q  <= sum;
     end
   end
   assign whole_o = whole_q;
+  logic unused;
+  assign unused = &{1'b0, major[C]};
 endmodule

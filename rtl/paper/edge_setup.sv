@@ -58,13 +58,14 @@ module edge_setup #(
   output logic [C-1:0]                minor_step_rest_o,
   output logic [D-1:0]                first_depth_o,
   output logic [D-1:0]                last_depth_o,
+  output logic                        depth_less_o,         // it falls; ramps of depth are as in depth_ramp
   output logic [D:0]                  major_depth_whole_o,  // at the first border along the major axis
-  output logic [C-1:0]                major_depth_rest_o,
-  output logic [D:0]                  major_depth_step_whole_o,
+  output logic [C:0]                  major_depth_rest_o,
+  output logic [D-1:0]                major_depth_step_whole_o,
   output logic [C-1:0]                major_depth_step_rest_o,
   output logic [D:0]                  minor_depth_whole_o,  // and along the minor one
-  output logic [C-1:0]                minor_depth_rest_o,
-  output logic [D:0]                  minor_depth_step_whole_o,
+  output logic [C:0]                  minor_depth_rest_o,
+  output logic [D-1:0]                minor_depth_step_whole_o,
   output logic [C-1:0]                minor_depth_step_rest_o,
   // the plane at the first texel's centre, less first_depth
   input  logic                        plane_busy_i,   // not taken with the edge, but in the end by
@@ -337,6 +338,7 @@ module edge_setup #(
   logic         steps, steps_kept;  // steps: now; kept: all are in their registers
   logic [F+2:0] minor_quotient;
   logic [Q-1:0] major_quotient, minor_depth_quotient;
+  logic [C-1:0] major_remainder, minor_depth_remainder;
   logic [C-1:0] rise_divisor;
   logic [N-1:0] depth_numerator;
   assign steps           = pc_q == PcSteps && !second_q;
@@ -350,15 +352,15 @@ module edge_setup #(
     .clk_i, .rst_ni, .clear_i, .valid_i(ramp_start[0]), .ready_o(ramp_ready[0]),
     .numerator_i(steps ? {1'b0, (C+F)'(rise_q)} << settings_i.texel_bits : product[C+F:0]), .divisor_i(length_q),
     .valid_o(ramp_valid[0]), .ready_i(ramp_taken[0]), .quotient_o(minor_quotient), .remainder_o(minor_rest_o));
-  divider #(.NumeratorBits(N), .DivisorBits(C), .QuotientBits(Q)) major_divider (
+  divider #(.NumeratorBits(N), .DivisorBits(C), .QuotientBits(Q), .Floor(1'b0)) major_divider (
     .clk_i, .rst_ni, .clear_i, .valid_i(ramp_start[1]), .ready_o(ramp_ready[1]),
     .numerator_i(depth_numerator), .divisor_i(length_q),
-    .valid_o(ramp_valid[1]), .ready_i(ramp_taken[1]), .quotient_o(major_quotient), .remainder_o(major_depth_rest_o));
-  divider #(.NumeratorBits(N), .DivisorBits(C), .QuotientBits(Q)) minor_depth_divider (
+    .valid_o(ramp_valid[1]), .ready_i(ramp_taken[1]), .quotient_o(major_quotient), .remainder_o(major_remainder));
+  divider #(.NumeratorBits(N), .DivisorBits(C), .QuotientBits(Q), .Floor(1'b0)) minor_depth_divider (
     .clk_i, .rst_ni, .clear_i, .valid_i(ramp_start[2]), .ready_o(ramp_ready[2]),
     .numerator_i(depth_numerator), .divisor_i(rise_divisor),
     .valid_o(ramp_valid[2]), .ready_i(ramp_taken[2]), .quotient_o(minor_depth_quotient),
-    .remainder_o(minor_depth_rest_o));
+    .remainder_o(minor_depth_remainder));
   // Steps are done after at most 1 + (F + 2) / 2 cycles, before PcRamps + 2.
   assign steps_kept = pc_q >= PcRamps + 5'd2;
   always_ff @(posedge clk_i) begin
@@ -368,18 +370,21 @@ module edge_setup #(
         minor_step_rest_o  <= minor_rest_o;
       end
       if (ramp_valid[1]) begin
-        major_depth_step_whole_o <= major_quotient[D:0];
-        major_depth_step_rest_o  <= major_depth_rest_o;
+        major_depth_step_whole_o <= major_quotient[D-1:0];
+        major_depth_step_rest_o  <= major_remainder;
       end
       if (ramp_valid[2]) begin
-        minor_depth_step_whole_o <= minor_depth_quotient[D:0];
-        minor_depth_step_rest_o  <= minor_depth_rest_o;
+        minor_depth_step_whole_o <= minor_depth_quotient[D-1:0];
+        minor_depth_step_rest_o  <= minor_depth_remainder;
       end
     end
   end
   assign minor_whole_o            = minor_quotient + (F + 3)'(into_minor_q);
-  assign major_depth_whole_o      = major_quotient[D:0] + {1'b0, first_depth_o};
-  assign minor_depth_whole_o      = minor_depth_quotient[D:0] + {1'b0, first_depth_o};
+  assign depth_less_o        = dz[D];
+  assign major_depth_whole_o = ({1'b0, major_quotient[D-1:0]} ^ {(D+1){depth_less_o}}) + {1'b0, first_depth_o};
+  assign minor_depth_whole_o = ({1'b0, minor_depth_quotient[D-1:0]} ^ {(D+1){depth_less_o}}) + {1'b0, first_depth_o};
+  assign major_depth_rest_o  = {1'b0, major_remainder} ^ {(C+1){depth_less_o}};
+  assign minor_depth_rest_o  = {1'b0, minor_depth_remainder} ^ {(C+1){depth_less_o}};
 
   assign edge_valid_o = pc_q == PcWait && ramp_valid == 3'b111 && plane_valid;
 

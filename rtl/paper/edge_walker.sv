@@ -35,13 +35,14 @@ module edge_walker #(
   input  logic [C-1:0]           minor_step_rest_i,
   input  logic [D-1:0]           first_depth_i,
   input  logic [D-1:0]           last_depth_i,
+  input  logic                   depth_less_i,
   input  logic [D:0]             major_depth_whole_i,
-  input  logic [C-1:0]           major_depth_rest_i,
-  input  logic [D:0]             major_depth_step_whole_i,
+  input  logic [C:0]             major_depth_rest_i,
+  input  logic [D-1:0]           major_depth_step_whole_i,
   input  logic [C-1:0]           major_depth_step_rest_i,
   input  logic [D:0]             minor_depth_whole_i,
-  input  logic [C-1:0]           minor_depth_rest_i,
-  input  logic [D:0]             minor_depth_step_whole_i,
+  input  logic [C:0]             minor_depth_rest_i,
+  input  logic [D-1:0]           minor_depth_step_whole_i,
   input  logic [C-1:0]           minor_depth_step_rest_i,
   // A texel of the outline, off the map too
   output logic                   texel_valid_o,
@@ -69,7 +70,7 @@ module edge_walker #(
 
   logic         busy_q, fresh_q, corner_q;  // corner_q: between the two halves of a step through a corner
   logic [1:0]   index_q;
-  logic         left_q, x_major_q, x_positive_q, start_q;
+  logic         less_q, left_q, x_major_q, x_positive_q, start_q;
   logic [R-1:0] x_q, y_q, last_x_q, last_y_q;
   logic [C-1:0] length_q, rise_q;
   logic [W-1:0] near_q, far_q;          // whole parts
@@ -123,11 +124,11 @@ module edge_walker #(
   logic [D:0]   major_depth, minor_depth;
   depth_ramp major_ramp (
     .clk_i, .load_i(take), .whole_i(major_depth_whole_i), .rest_i(major_depth_rest_i),
-    .step_whole_i(major_depth_step_whole_i), .step_rest_i(major_depth_step_rest_i), .base_i(length_q),
+    .step_whole_i(major_depth_step_whole_i), .step_rest_i(major_depth_step_rest_i), .less_i(less_q), .base_i(length_q),
     .advance_i(emit && !along_minor), .whole_o(major_depth));
   depth_ramp minor_ramp (
     .clk_i, .load_i(take), .whole_i(minor_depth_whole_i), .rest_i(minor_depth_rest_i),
-    .step_whole_i(minor_depth_step_whole_i), .step_rest_i(minor_depth_step_rest_i), .base_i(rise_q),
+    .step_whole_i(minor_depth_step_whole_i), .step_rest_i(minor_depth_step_rest_i), .less_i(less_q), .base_i(rise_q),
     .advance_i(emit && !along_major), .whole_o(minor_depth));
   assign exit_depth = last ? last_depth_q : along_minor ? minor_depth[D-1:0] : major_depth[D-1:0];
   assign nearest_o  = exit_depth < entry_q ? exit_depth : entry_q;
@@ -160,6 +161,7 @@ module edge_walker #(
     if (take) begin
       index_q      <= index_i;
       left_q       <= left_i;
+      less_q       <= depth_less_i;
       x_major_q    <= x_major_i;
       x_positive_q <= x_positive_i;
       start_q      <= 1'b1;

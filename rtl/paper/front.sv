@@ -48,8 +48,11 @@ module front (
   logic [C-1:0]            length, rise, minor_rest, minor_step_rest;
   logic [F+2:0]            minor_whole;
   logic [F+1:0]            minor_step_whole;
-  logic [D:0]              major_depth_whole, major_depth_step_whole, minor_depth_whole, minor_depth_step_whole;
-  logic [C-1:0]            major_depth_rest, major_depth_step_rest, minor_depth_rest, minor_depth_step_rest;
+  logic                    depth_less;
+  logic [D:0]              major_depth_whole, minor_depth_whole;
+  logic [C:0]              major_depth_rest, minor_depth_rest;
+  logic [D-1:0]            major_depth_step_whole, minor_depth_step_whole;
+  logic [C-1:0]            major_depth_step_rest, minor_depth_step_rest;
   logic [3*CornerBits-1:0] corner_start;
   logic [2:0]              corner_inexact;
   edge_setup setup (
@@ -63,7 +66,7 @@ module front (
     .first_x_o(first_x), .first_y_o(first_y), .last_x_o(last_x), .last_y_o(last_y),
     .length_o(length), .rise_o(rise), .minor_whole_o(minor_whole), .minor_rest_o(minor_rest),
     .minor_step_whole_o(minor_step_whole), .minor_step_rest_o(minor_step_rest),
-    .first_depth_o(first_depth), .last_depth_o(last_depth),
+    .first_depth_o(first_depth), .last_depth_o(last_depth), .depth_less_o(depth_less),
     .major_depth_whole_o(major_depth_whole), .major_depth_rest_o(major_depth_rest),
     .major_depth_step_whole_o(major_depth_step_whole), .major_depth_step_rest_o(major_depth_step_rest),
     .minor_depth_whole_o(minor_depth_whole), .minor_depth_rest_o(minor_depth_rest),
@@ -146,7 +149,7 @@ module front (
     .x_positive_i(x_positive), .first_x_i(first_x), .first_y_i(first_y), .last_x_i(last_x), .last_y_i(last_y),
     .length_i(length), .rise_i(rise), .minor_whole_i(minor_whole), .minor_rest_i(minor_rest),
     .minor_step_whole_i(minor_step_whole), .minor_step_rest_i(minor_step_rest),
-    .first_depth_i(first_depth), .last_depth_i(last_depth),
+    .first_depth_i(first_depth), .last_depth_i(last_depth), .depth_less_i(depth_less),
     .major_depth_whole_i(major_depth_whole), .major_depth_rest_i(major_depth_rest),
     .major_depth_step_whole_i(major_depth_step_whole), .major_depth_step_rest_i(major_depth_step_rest),
     .minor_depth_whole_i(minor_depth_whole), .minor_depth_rest_i(minor_depth_rest),
