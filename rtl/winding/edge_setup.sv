@@ -28,10 +28,11 @@ module edge_setup #(
   input  logic           upward_i,       // the differences are from its lower end to the other
   input  logic [C:0]     dx_i,           // signed
   input  logic [C:0]     dy_i,
-  // the front's multiplier: factors are always taken; the product two cycles later
-  output logic           factors_valid_o,
+  // products, by plane_setup
+  output logic           factors_valid_o, // until the product is there
   output logic [C:0]     factor_a_o,     // signed
-  output logic [C:0]     factor_b_o,     // signed
+  output logic [C-1:0]   factor_b_o,     // unsigned
+  input  logic           product_done_i,
   input  logic [2*C-1:0] product_i,
   // to the walker
   output logic           valid_o,
@@ -65,7 +66,7 @@ module edge_setup #(
 );
   localparam int unsigned G = shadow_pkg::EndBits;
   localparam logic [3:0] Idle = 4'd0, FromU = 4'd1, FromV = 4'd2, ToU = 4'd3, ToV = 4'd4,
-                         Offsets = 4'd5, FactorsV = 4'd6, FactorsU = 4'd7, StepV = 4'd8, StepU = 4'd9,
+                         OffsetV = 4'd5, OffsetU = 4'd6, Offsets = 4'd7, StepV = 4'd8, StepU = 4'd9,
                          Steps = 4'd10;
   logic [3:0] state_q;
 
@@ -85,7 +86,7 @@ module edge_setup #(
   assign signed_x   = is_to ? {to_x_i[C-1], to_x_i} : {from_x_i[C-1], from_x_i};
   assign coordinate = !is_u ? (is_to ? {to_y_i[C-1], to_y_i} : {from_y_i[C-1], from_y_i})
                     : x_positive_q ? signed_x : -signed_x;
-  assign texel      = (C-1)'(1) << texel_bits_i;
+  assign texel      = (C-1)'(1) << {1'b1, texel_bits_i[3:0]};
   assign below      = texel - 1'b1;
   assign place      = coordinate[C-2:0] & below;
   assign zero       = place == '0;
@@ -142,16 +143,29 @@ module edge_setup #(
   assign more_u  = count_u[T-1:1] != '0;
   assign more_v  = count_v[T-1:1] != '0;
 
-  assign factors_valid_o = state_q == FromU || state_q == FromV || state_q == FactorsV || state_q == FactorsU;
-  assign factor_a_o      = state_q == FromU || state_q == FactorsV ? {1'b0, dv_q} : {1'b0, du_q};
-  assign factor_b_o      = state_q == FromU || state_q == FromV ? {2'b0, texel} - {2'b0, place} : {2'b0, texel};
+  // Offsets if a border is crossed, steps if two are.
+  logic along_u, wanted;
+  assign along_u = state_q == OffsetV || state_q == StepV;
+  always_comb begin
+    unique case (state_q)
+      OffsetV: wanted = any_u;
+      OffsetU: wanted = any_v;
+      StepV:   wanted = more_u;
+      StepU:   wanted = more_v;
+      default: wanted = 1'b0;
+    endcase
+  end
+  assign factors_valid_o = wanted;
+  assign factor_a_o = {2'b0, texel} - (state_q == OffsetV ? {2'b0, within_u_q}
+                                     : state_q == OffsetU ? {2'b0, within_v_q} : '0);
+  assign factor_b_o = along_u ? dv_q : du_q;
 
   logic         start_v, start_u, done_v, done_u, take, stop;
   logic         ready_v, ready_u;
   logic [C:0]   quotient_v, quotient_u;
   logic [C-1:0] remainder_v, remainder_u;
-  assign start_v = (state_q == ToU && du_q != '0) || (state_q == StepV && more_u);
-  assign start_u = (state_q == ToV && dv_q != '0) || (state_q == StepU && more_v);
+  assign start_v = product_done_i && along_u;
+  assign start_u = product_done_i && !along_u;
   divider #(.NumeratorBits(2*C-1), .DivisorBits(C), .QuotientBits(C+1), .SkipBits(8)) divide_v (
     .clk_i, .rst_ni, .clear_i(stop), .valid_i(start_v), .ready_o(ready_v), .numerator_i(product_i[2*C-2:0]),
     .divisor_i(du_q), .valid_o(done_v), .ready_i(take), .quotient_o(quotient_v), .remainder_o(remainder_v));
@@ -176,7 +190,8 @@ module edge_setup #(
     end else begin
       unique case (state_q)
         Idle:    if (edge_valid_i) state_q <= FromU;
-        Offsets: if (offsets_done && (more_u || more_v)) state_q <= FactorsV;
+        Offsets: if (offsets_done && (more_u || more_v)) state_q <= StepV;
+        OffsetV, OffsetU, StepV, StepU: if (!wanted || product_done_i) state_q <= state_q + 4'd1;
         Steps: ;
         default: state_q <= state_q + 4'd1;
       endcase

@@ -40,14 +40,11 @@ module front (
                          Gaps = 3'd6, Fill = 3'd7;
   logic [2:0] state_q;
 
-  // ---- The multiplier that both setups share; the edge's come first ----
-  logic           edge_factors;
-  logic [C+1:0]   plane_a;
-  logic [C:0]     plane_b, edge_a, edge_b;
-  logic [2*C+2:0] product;
-  multiplier #(.ABits(C + 2), .BBits(C + 1)) products (
-    .clk_i, .a_i(edge_factors ? {1'b0, edge_a} : plane_a), .b_i(edge_factors ? edge_b : plane_b),
-    .product_o(product));
+  // ---- Products for edges ----
+  logic           edge_factors, product_done;
+  logic [C:0]     edge_a;
+  logic [C-1:0]   edge_b;
+  logic [2*C-1:0] product;
 
   // ---- The triangle: its setup keeps it until the last span is out ----
   logic                   out_free;  // the output register takes a visit
@@ -62,8 +59,8 @@ module front (
   plane_setup plane (
     .clk_i, .rst_ni, .clear_i, .texel_bits_i(settings_i.texel_bits),
     .plane_tolerance_i(settings_i.plane_tolerance), .tri_valid_i, .tri_ready_o, .tri_i,
-    .factors_ready_i(!edge_factors), .factor_a_o(plane_a),
-    .factor_b_o(plane_b), .product_i(product), .area_o(has_area),
+    .edge_valid_i(edge_factors), .edge_a_i(edge_a), .edge_b_i(edge_b), .edge_done_o(product_done),
+    .product_o(product), .area_o(has_area),
     .valid_o(tri_valid), .ready_i(tri_done), .keep_i(fill_keep), .whole_i(depth), .rest_i(rest), .vertices_o(vertices), .edge_dx_o(edge_dx), .edge_dy_o(edge_dy),
     .inner_o(inner), .upward_o(upward), .clockwise_o(clockwise), .visit_tri_o(visit_tri), .base_o(base),
     .step_x_whole_o(step_x), .step_x_rest_o(step_x_rest), .step_y_whole_o(step_y),
@@ -133,7 +130,8 @@ module front (
     .from_x_i(vertices[2*from_vertex*C +: C]), .from_y_i(vertices[2*from_vertex*C+C +: C]),
     .to_x_i(vertices[2*to_vertex*C +: C]), .to_y_i(vertices[2*to_vertex*C+C +: C]),
     .upward_i(upward[edge_q]), .dx_i(edge_dx[edge_q*(C+1) +: C+1]), .dy_i(edge_dy[edge_q*(C+1) +: C+1]),
-    .factors_valid_o(edge_factors), .factor_a_o(edge_a), .factor_b_o(edge_b), .product_i(product[2*C-1:0]),
+    .factors_valid_o(edge_factors), .factor_a_o(edge_a), .factor_b_o(edge_b), .product_done_i(product_done),
+    .product_i(product),
     .valid_o(edge_valid), .ready_i(load_edge), .x_positive_o(x_positive), .on_border_o(on_border),
     .first_u_o(first_u), .first_v_o(first_v), .last_u_o(last_u), .last_v_o(last_v), .from_u_o(from_u),
     .from_v_o(from_v), .from_u_zero_o(from_u_zero), .from_v_zero_o(from_v_zero), .to_u_o(to_u), .to_v_o(to_v),

@@ -7,8 +7,10 @@
 //          |gradient| <= 2^24 / h; h > 2^(f-F-2) where the plane counts, and so it is where it is
 //          replaced by the longest edge's slope. Hence a texel's step takes F + 27 bits, and a step
 //          over the whole range QuotientBits. Depths are modular: DepthRange bits of them are kept.
-// Timing:  a program of products, one a cycle, on the front's multiplier, and three divisions that it runs
-//          beside; about 45 to 80 cycles a triangle, which then waits at the output.
+//          f is 16 to 26, so that its uppermost bit is always set.
+// Timing:  a program of sums of products (plane_program), a product's digit a cycle, and three divisions that it
+//          runs beside; about 70 to 110 cycles a triangle, which then stays at the output. Products that
+//          edge_setup wants are worked out between two sums, and whenever nothing else is.
 `include "check.svh"
 module plane_setup #(
   localparam int unsigned C     = shadow_pkg::CoordBits,
@@ -30,11 +32,12 @@ module plane_setup #(
   /* verilator lint_off UNUSEDSIGNAL */ // the polygon's number is the paper profile's
   input  shadow_pkg::tri_t       tri_i,
   /* verilator lint_on UNUSEDSIGNAL */
-  // the front's multiplier: a product's factors, and whether they are taken; the product two cycles later
-  input  logic                   factors_ready_i,
-  output logic [C+1:0]           factor_a_o,     // signed
-  output logic [C:0]             factor_b_o,     // signed
-  input  logic [2*C+2:0]         product_i,
+  // products for edge_setup
+  input  logic                   edge_valid_i,   // with its factors, until it is done
+  input  logic [C:0]             edge_a_i,       // signed
+  input  logic [C-1:0]           edge_b_i,       // unsigned
+  output logic                   edge_done_o,    // the product is there in this cycle
+  output logic [2*C-1:0]         product_o,
   output logic                   area_o,         // pulse: it has an area; vertices and edges hold from now on
   // to the walk: a triangle with an area. All that follows belongs to it and holds until it is done with
   output logic                   valid_o,
@@ -65,11 +68,17 @@ module plane_setup #(
   localparam int unsigned NumeratorBits = 83;
   // Twice an area of so many bits or more is never that of a narrow triangle.
   localparam int unsigned SmallBits = (D + 2 * (shadow_pkg::MaxFraction - F) - 3) / 2;
-  localparam int unsigned AccBits   = 2 * SmallBits > NumeratorBits ? 2 * SmallBits : NumeratorBits;
+  // A narrow one has 16 area^2 <= length^2 r^2, r = 2^(f-F). Both sides are taken times 2^(2 Scale), and the
+  // power of two on the right comes in digits of plane_sums and one factor.
+  localparam int unsigned Digit      = 15;
+  localparam int unsigned A          = 31;
+  localparam int unsigned Scale      = F <= 3 ? (F > 1 ? F - 1 : 0) : F > 8 ? F - 8 : 0;
+  localparam int unsigned RadiusLess = 2 * F + (F <= 3 ? 2 : 1) * Digit - 2 * Scale;
+  localparam int unsigned SumBits    = A + Digit + 2 + 3 * Digit;
 
   // ---- The triangle ----
-  localparam logic [2:0] Idle = 3'd0, Differences = 3'd1, Run = 3'd2, Compare = 3'd3, Judge = 3'd4,
-                         Done = 3'd5;
+  localparam logic [2:0] Idle = 3'd0, Differences = 3'd1, Run = 3'd2, Judge = 3'd3,
+                         Done = 3'd4;
   logic [2:0] state_q;
   logic [1:0] index_q;  // of the vertex whose edge is computed
   logic       is_plane_q, shares_q;
@@ -101,181 +110,131 @@ module plane_setup #(
 
   // Texel, half a texel, and what lies below a texel.
   logic [C-2:0] texel, half, below;
-  assign texel = (C-1)'(1) << texel_bits_i;
+  assign texel = (C-1)'(1) << {1'b1, texel_bits_i[3:0]};
   assign half  = texel >> 1;
   assign below = texel - 1'b1;
 
   // ---- The program ----
-  localparam logic [5:0] PcGradients = 6'd4, PcCorner1 = 6'd8, PcStepX = 6'd10,
-                         PcLengths = 6'd14, PcSquare = 6'd20, PcStepY = 6'd23, PcEnd = 6'd29, PcNarrow = 6'd32, PcAlong = 6'd36,
-                         PcNarrowEnd = 6'd38;
-  localparam logic [2:0] AEdge = 3'd0, AGradLow = 3'd1, AGradHigh = 3'd2, ADenLow = 3'd3, ADenHigh = 3'd4,
-                         ABestLow = 3'd5, ABestHigh = 3'd6;
-  localparam logic [2:0] BEdge = 3'd0, BCorner = 3'd1, BCentre = 3'd2, BTexel = 3'd3, BDenLow = 3'd4,
-                         BDenHigh = 3'd5;
-  localparam logic [1:0] X = 2'd0, Y = 2'd1, Zz = 2'd2;
+  localparam logic [4:0] PcArea = 5'd0, PcCorner1 = 5'd4, PcStepX = 5'd5, PcCorner2 = 5'd6,
+                         PcSquare = 5'd10, PcStepY = 5'd11, PcEnd = 5'd13, PcNarrow = 5'd16,
+                         PcNarrowDepth = 5'd19, PcNarrowEnd = 5'd20;
+  localparam logic [2:0] AEdge = 3'd0, ACorner = 3'd1, ACentre = 3'd2, ATexel = 3'd3, ARadius = 3'd4,
+                         AAreaLow = 3'd5;
+  localparam logic [1:0] BEdge = 2'd0, BGradient = 2'd1, BBest = 2'd2;
+  localparam logic [1:0] Zz = 2'd2;
   localparam logic [3:0] ToNone = 4'd0, ToArea = 4'd1, ToCorner = 4'd2, ToGradX = 4'd3, ToGradY = 4'd4,
-                         ToLength = 4'd5, ToSquare = 4'd6, ToAlong = 4'd7, ToDivider = 4'd8;
+                         ToLength = 4'd5, ToSquare = 4'd6, ToAlong = 4'd7, ToDivider = 4'd8, ToEdge = 4'd9;
   localparam logic [1:0] DivStepX = 2'd0, DivStepY = 2'd1, DivStart = 2'd2, DivNarrow = 2'd3;
-  typedef struct packed {
-    logic       first;   // of a sum of products
-    logic       minus;
-    logic       signed_by_area;
-    logic [1:0] shift;   // by 0, C, C + 1 or 2 C
-    logic [3:0] to;      // where the sum goes, after its last product
-    logic [1:0] index;   // corner, length; division
-  } op_t;
-
-  logic [5:0] pc_q, pc_next;
-  op_t        op;
-  logic [2:0] a_kind, b_kind;
-  logic [1:0] a_index, a_axis, b_index, b_axis;
+  logic [4:0] pc_q, pc_next;
+  logic [1:0] term_q;
+  logic [2:0] digit_q, b_digit, a_kind;
+  logic       last_term, last_digit, minus, by_area, b_axis;
+  logic [3:0] op_to;
+  logic [1:0] op_index, a_axis, a_index, b_kind, b_index;
   logic [1:0] longest_q, longest_back;  // edge, and the one before it
   assign longest_back = longest_q == 2'd0 ? 2'd2 : longest_q - 2'd1;
-
-  always_comb begin
-    op      = '0;
-    a_kind  = AEdge;
-    b_kind  = BEdge;
-    a_index = 2'd0;
-    b_index = 2'd0;
-    a_axis  = X;
-    b_axis  = Y;
-    unique case (pc_q)
-      6'd8, 6'd9, 6'd16, 6'd17, 6'd23, 6'd24: op.index = 2'd1;
-      6'd12, 6'd13, 6'd18, 6'd19, 6'd25, 6'd26, 6'd27, 6'd28: op.index = 2'd2;
-      6'd36, 6'd37: op.index = DivNarrow;
-      default: op.index = 2'd0;
-    endcase
-    op.first = !pc_q[0];
-    op.minus = pc_q[0];
-    unique case (pc_q)
-      // twice the area
-      6'd0: begin a_index = 2'd2; end
-      6'd1: begin b_index = 2'd2; op.to = ToArea; end
-      // gradients times it
-      6'd4: begin a_index = 2'd2; a_axis = Zz; end
-      6'd5: begin a_axis = Zz; b_index = 2'd2; op.to = ToGradX; end
-      6'd6: begin a_index = 2'd2; b_axis = Zz; end
-      6'd7: begin b_index = 2'd2; b_axis = Zz; op.to = ToGradY; end
-      // corner functions
-      6'd2, 6'd8, 6'd12: begin a_index = op.index; b_kind = BCorner; end
-      6'd3, 6'd9, 6'd13: begin a_index = op.index; a_axis = Y; b_kind = BCorner; b_axis = X; op.to = ToCorner; end
-      // steps for a texel
-      6'd10: begin a_kind = AGradLow; b_kind = BTexel; end
-      6'd11: begin a_kind = AGradHigh; b_kind = BTexel; op.minus = 1'b0; op.shift = 2'd1; op.to = ToDivider; end
-      6'd23: begin a_kind = AGradLow; a_axis = Y; b_kind = BTexel; op.first = 1'b1; op.minus = 1'b0; end
-      6'd24: begin a_kind = AGradHigh; a_axis = Y; b_kind = BTexel; op.first = 1'b0; op.shift = 2'd1;
-                   op.to = ToDivider; end
-      // squared lengths
-      6'd14, 6'd16, 6'd18: begin a_index = op.index; b_index = op.index; b_axis = X; end
-      6'd15, 6'd17, 6'd19: begin a_index = op.index; b_index = op.index; a_axis = Y; op.minus = 1'b0;
-                                 op.to = ToLength; end
-      // the area squared
-      6'd20: begin a_kind = ADenLow; b_kind = BDenLow; end
-      6'd21: begin a_kind = ADenLow; b_kind = BDenHigh; op.minus = 1'b0; op.shift = 2'd2; end
-      6'd22: begin a_kind = ADenHigh; b_kind = BDenHigh; op.first = 1'b0; op.shift = 2'd3; op.to = ToSquare; end
-      // start
-      6'd25: begin a_kind = AGradLow; b_kind = BCentre; b_axis = X; op.first = 1'b1; op.minus = 1'b0; end
-      6'd26: begin a_kind = AGradHigh; b_kind = BCentre; b_axis = X; op.first = 1'b0; op.shift = 2'd1; end
-      6'd27: begin a_kind = AGradLow; a_axis = Y; b_kind = BCentre; op.minus = 1'b0; end
-      6'd28: begin a_kind = AGradHigh; a_axis = Y; b_kind = BCentre; op.first = 1'b0; op.shift = 2'd1;
-                   op.to = ToDivider; end
-      // the plane along the longest edge
-      6'd32: begin a_index = longest_q; b_index = longest_q; a_axis = Zz; b_axis = X; op.to = ToGradX; end
-      6'd33: begin a_index = longest_q; b_index = longest_q; a_axis = Zz; op.first = 1'b1; op.minus = 1'b0;
-                   op.to = ToGradY; end
-      6'd34: begin a_index = longest_q; b_index = longest_back; b_axis = X; op.minus = 1'b1; end
-      6'd35: begin a_index = longest_q; b_index = longest_back; a_axis = Y; op.to = ToAlong; end
-      6'd36: begin a_kind = ABestLow; b_index = longest_q; b_axis = Zz; end
-      6'd37: begin a_kind = ABestHigh; b_index = longest_q; b_axis = Zz; op.minus = 1'b0; op.shift = 2'd1;
-                   op.to = ToDivider; end
-      default: ;
-    endcase
-    op.signed_by_area = pc_q[5:2] == PcGradients[5:2];
-  end
+  plane_program program_of (
+    .pc_i(pc_q), .term_i(term_q), .digit_i(digit_q), .longest_i(longest_q), .last_term_o(last_term),
+    .last_digit_o(last_digit), .minus_o(minus), .by_area_o(by_area), .to_o(op_to), .index_o(op_index),
+    .a_kind_o(a_kind), .a_axis_o(a_axis), .a_index_o(a_index), .b_kind_o(b_kind), .b_axis_o(b_axis),
+    .b_index_o(b_index), .b_digit_o(b_digit));
 
   // ---- Factors ----
-  logic [G-1:0] grad_x_q, grad_y_q, grad;
-  logic [D-1:0] den_q, best_q;  // best_q: the longest edge's square; then where the third vertex is along it
-  logic [C:0]   a_edge, b_edge, b_from, b_to;
-  assign grad = a_axis == Y ? grad_y_q : grad_x_q;
+  logic [G-1:0]       grad_x_q, grad_y_q;
+  logic [D-1:0]       den_q, best_q;  // best_q: the longest edge's square; then where the third vertex is along it
+  logic [4*Digit-1:0] area, b_long;
+  logic [C:0]         a_edge, a_from, a_to, b_edge;
+  logic [4:0]         power;
+  logic [A-1:0]       factor_a;
+  logic [Digit:0]     factor_b;
+  logic               edge_digit_q, edge_issue;  // a product for edge_setup: which digit
+  assign area  = (4*Digit)'(den_q) << (2 + Scale);
+  assign power = a_kind == ARadius ? 5'({texel_bits_i, 1'b0} - 6'(RadiusLess)) : {1'b1, texel_bits_i[3:0]};
   always_comb begin
     unique case (a_axis)
-      X: a_edge = ex_q[a_index];
-      Y: a_edge = ey_q[a_index];
-      default: a_edge = {{(C-Z){ez_q[a_index][Z]}}, ez_q[a_index]};
+      Zz:      a_edge = {{(C-Z){ez_q[a_index][Z]}}, ez_q[a_index]};
+      2'd1:    a_edge = ey_q[a_index];
+      default: a_edge = ex_q[a_index];
     endcase
-    unique case (b_axis)
-      X: b_edge = ex_q[b_index];
-      Y: b_edge = ey_q[b_index];
-      default: b_edge = {{(C-Z){ez_q[b_index][Z]}}, ez_q[b_index]};
-    endcase
-    b_to = b_axis == Y ? {low_y[C-1], low_y & {1'b1, ~below}} : {low_x[C-1], low_x & {1'b1, ~below}};
-    if (b_kind == BCentre) begin
-      b_to   = b_to | {2'b0, half};
-      b_from = b_axis == Y ? {origin_y_q[C-1], origin_y_q} : {origin_x_q[C-1], origin_x_q};
+    a_to = a_axis[0] ? {low_y[C-1], low_y & {1'b1, ~below}} : {low_x[C-1], low_x & {1'b1, ~below}};
+    if (a_kind == ACentre) begin
+      a_to   = a_to | {2'b0, half};
+      a_from = a_axis[0] ? {origin_y_q[C-1], origin_y_q} : {origin_x_q[C-1], origin_x_q};
     end else begin
-      b_from = b_axis == Y ? {vy[op.index][C-1], vy[op.index]} : {vx[op.index][C-1], vx[op.index]};
+      a_from = a_axis[0] ? {vy[b_index][C-1], vy[b_index]} : {vx[b_index][C-1], vx[b_index]};
     end
     unique case (a_kind)
-      AEdge:     factor_a_o = {a_edge[C], a_edge};
-      AGradLow:  factor_a_o = {2'b0, grad[C-1:0]};
-      AGradHigh: factor_a_o = {{(2*C+2-G){grad[G-1]}}, grad[G-1:C]};
-      ADenLow:   factor_a_o = {2'b0, den_q[C-1:0]};
-      ADenHigh:  factor_a_o = {1'b0, den_q[D-1:C]};
-      ABestLow:  factor_a_o = {2'b0, best_q[C-1:0]};
-      default:   factor_a_o = {1'b0, best_q[D-1:C]};
+      AEdge:            factor_a = A'($signed(a_edge));
+      ACorner, ACentre: factor_a = A'($signed(a_to - a_from));
+      ATexel, ARadius:  factor_a = A'(1) << power;
+      AAreaLow:         factor_a = {1'b0, area[A-2:0]};
+      default:          factor_a = A'(area[4*Digit-1:A-1]);
     endcase
+    if (edge_issue) factor_a = A'($signed(edge_a_i));
+
+    b_edge = b_axis ? ey_q[b_index] : ex_q[b_index];
     unique case (b_kind)
-      BEdge:   factor_b_o = b_edge;
-      BTexel:  factor_b_o = {2'b0, texel};
-      BDenLow: factor_b_o = {1'b0, den_q[C-1:0]};
-      BDenHigh: factor_b_o = {1'b0, den_q[D-2:C]};
-      default: factor_b_o = b_to - b_from;
+      BEdge:     b_long = (4*Digit)'($signed(b_edge));
+      BGradient: b_long = (4*Digit)'($signed(b_axis ? grad_y_q : grad_x_q));
+      BBest:     b_long = (4*Digit)'(best_q);
+      default:   b_long = area;
     endcase
+    unique case (b_digit)
+      3'd0:    factor_b = {1'b0, b_long[Digit-1:0]};
+      3'd1:    factor_b = {b_kind == BEdge && b_edge[C], b_long[Digit +: Digit]};
+      3'd2:    factor_b = {1'b0, b_long[2*Digit +: Digit]};
+      3'd3:    factor_b = {b_kind == BGradient && b_long[4*Digit-1], b_long[3*Digit +: Digit]};
+      default: factor_b = '0;
+    endcase
+    if (edge_issue) factor_b = edge_digit_q ? (Digit+1)'(edge_b_i[C-1:Digit]) : {1'b0, edge_b_i[Digit-1:0]};
   end
 
-  // ---- Sums of products: factors, product, sum ----
+  // ---- Sums: factors, sum ----
   logic               issue, flush, hold_q;  // hold_q: the sum is for the divider, which has not taken it
-  logic [2:0]         valid_q;               // an operation is in stage 1, 2, 3
-  op_t                op1_q, op2_q;
-  logic [3:0]         to_q;     // of the third stage
-  logic [1:0]         op_index_q;
+  logic               last_issue;            // of a sum
+  logic [3:0]         to_next, to1_q, to_q;
+  logic [1:0]         index1_q, op_index_q;
   logic               clockwise_q;
-  logic [AccBits-1:0] acc_q, addend, sum;
-  logic               subtract, shift_acc;
-  assign subtract = op2_q.minus ^ (op2_q.signed_by_area && clockwise_q);
-  always_comb begin
-    addend = AccBits'($signed(product_i));
-    unique case (op2_q.shift)
-      2'd0: ;
-      2'd1: addend = addend << C;
-      2'd2: addend = addend << (C + 1);
-      default: addend = addend << (2 * C);
-    endcase
-  end
-  assign sum = (op2_q.first ? '0 : acc_q) + (addend ^ {AccBits{subtract}}) + AccBits'(subtract);
+  logic               edge_waits_q;          // its product is on the way
+  logic [SumBits-1:0] sum;
+  logic [2*C+1:0]     short_sum;             // of two digits
+  plane_sums #(.ABits(A), .DigitBits(Digit), .Digits(4)) sums (
+    .clk_i, .valid_i(issue || edge_issue), .a_i(factor_a), .digit_i(factor_b),
+    .minus_i(!edge_issue && (minus ^ (by_area && clockwise_q))),
+    .first_i(edge_issue ? !edge_digit_q : term_q == '0 && digit_q == '0),
+    .move_i(edge_issue ? !edge_digit_q : last_term && !last_digit), .sum_o(sum));
+  assign short_sum  = sum[2*Digit +: 2*C+2];
+  assign product_o  = short_sum[2*C-1:0];
+  assign last_issue = issue && last_term && last_digit;
+  assign to_next    = last_issue ? op_to : edge_issue && edge_digit_q ? ToEdge : ToNone;
   always_ff @(posedge clk_i) begin
-    if (valid_q[1]) acc_q <= sum;
-    else if (shift_acc) acc_q <= {2'b0, acc_q[AccBits-1:2]};
-    op1_q <= op;
-    op2_q <= op1_q;
-    to_q       <= op2_q.to;
-    op_index_q <= op2_q.index;
+    index1_q   <= op_index;
+    op_index_q <= index1_q;
   end
+  assign edge_issue = edge_valid_i && !edge_waits_q
+                   && (edge_digit_q || (!hold_q && (state_q != Run || (term_q == '0 && digit_q == '0))));
+  assign edge_done_o = to_q == ToEdge;
   always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) valid_q <= '0;
-    else if (clear_i || flush) valid_q <= '0;
-    else valid_q <= {valid_q[1:0], issue};
+    if (!rst_ni) begin
+      to1_q        <= ToNone;
+      to_q         <= ToNone;
+      edge_digit_q <= 1'b0;
+      edge_waits_q <= 1'b0;
+    end else if (clear_i) begin
+      to1_q        <= ToNone;
+      to_q         <= ToNone;
+      edge_digit_q <= 1'b0;
+      edge_waits_q <= 1'b0;
+    end else begin
+      to1_q        <= no_area ? ToNone : to_next;
+      to_q         <= no_area ? ToNone : to1_q;
+      edge_digit_q <= edge_issue && !edge_digit_q;
+      edge_waits_q <= (edge_issue && edge_digit_q) || (edge_waits_q && !edge_done_o);
+    end
   end
 
-  logic       arrives;  // a sum is complete
-  logic [3:0] to;
-  logic       no_area;
-  assign arrives = valid_q[2] && to_q != ToNone;
-  assign to      = arrives ? to_q : ToNone;
-  assign no_area = to == ToArea && acc_q[D:0] == '0 && !is_plane_q;
+  logic no_area;
+  assign no_area = to_q == ToArea && short_sum == '0 && !is_plane_q;
 
   // ---- Divisions ----
   logic                    div_valid, div_ready, div_done, div_take, div_clear;
@@ -287,11 +246,11 @@ module plane_setup #(
   logic                    encoder_ready, encoder_done;
   divider #(.NumeratorBits(NumeratorBits), .DivisorBits(D), .QuotientBits(QuotientBits), .SkipBits(8)) division (
     .clk_i, .rst_ni, .clear_i(clear_i || div_clear),
-    .valid_i(div_valid), .ready_o(div_ready), .numerator_i(acc_q[NumeratorBits-1:0]), .divisor_i(den_q),
+    .valid_i(div_valid), .ready_o(div_ready), .numerator_i(sum[NumeratorBits-1:0]), .divisor_i(den_q),
     .valid_o(div_done), .ready_i(div_take), .quotient_o(quotient), .remainder_o(remainder));
   logic       waiting_q;  // the sum for the divider is complete
   logic [1:0] waits_for, waits_for_q;
-  assign div_valid = (to == ToDivider || waiting_q) && !flush;
+  assign div_valid = (to_q == ToDivider || waiting_q) && !flush;
   always_comb begin
     unique case (division_q)
       DivStepX, DivStepY: div_take = encoder_ready;
@@ -303,11 +262,10 @@ module plane_setup #(
     waits_for_q <= waits_for;
     if (div_valid && div_ready) division_q <= waits_for;
   end
-  assign waits_for = to == ToDivider ? op_index_q : waits_for_q;
+  assign waits_for = to_q == ToDivider ? op_index_q : waits_for_q;
 
   // ---- Is it narrow? ----
-  logic [4:0] shifts_q;  // of two bits that are left
-  logic       sticky_q, narrow, tiny, narrow_q, start_narrow;
+  logic       narrow, tiny, narrow_q, start_narrow;
   logic [1:0] rank, best_rank_q;  // of equally long edges: the least
   logic [2:0] opposite_last, opposite_first;
   for (genvar i = 0; i < 3; i++) begin : g_rank
@@ -316,11 +274,10 @@ module plane_setup #(
   end
   assign rank = opposite_last[op_index_q] ? 2'd0 : opposite_first[op_index_q] ? 2'd1 : 2'd2;
   logic longer;
-  assign longer = op_index_q == 2'd0 || acc_q[D-1:0] > best_q || (acc_q[D-1:0] == best_q && rank < best_rank_q);
-  assign narrow = acc_q < AccBits'(best_q) || (acc_q == AccBits'(best_q) && !sticky_q);
+  assign longer = op_index_q == 2'd0 || short_sum[D-1:0] > best_q || (short_sum[D-1:0] == best_q && rank < best_rank_q);
+  assign narrow = !sum[SumBits-1];
   assign tiny   = best_q <= D'(1) << (6'(texel_bits_i - 5'(F + 2)) << 1);
-  assign start_narrow = state_q == Judge && narrow;
-  assign shift_acc    = state_q == Compare && valid_q == '0 && shifts_q != '0;
+  assign start_narrow = to_q == ToSquare && narrow;
   logic small_area;
   assign small_area = den_q[D-1:SmallBits] == '0;
 
@@ -331,20 +288,22 @@ module plane_setup #(
   assign highest    = highest_01 > vz[2] ? highest_01 : vz[2];
   assign last_of_plane = is_plane_q && pc_q == PcCorner1;
   always_comb begin
-    pc_next = pc_q + 6'd1;
-    if (pc_q == PcGradients - 6'd1 && shares_q && !is_plane_q) pc_next = PcCorner1;
-    if (pc_q == PcStepX + 6'd1 && narrow_q) pc_next = PcStepY;
-    if (pc_q == PcLengths - 6'd1 && (shares_q || !small_area)) pc_next = PcStepY;
+    pc_next = pc_q + 5'd1;
+    if (pc_q == PcArea + 5'd1 && shares_q && !is_plane_q) pc_next = PcCorner1;
+    if (pc_q == PcStepX && narrow_q) pc_next = PcStepY;
+    if (pc_q == PcCorner2 && (shares_q || !small_area)) pc_next = PcStepY;
   end
   // Sums that a product's factor needs, or that must stay, are waited for.
+  logic in_flight;
+  assign in_flight = to1_q != ToNone || to_q != ToNone;
   always_comb begin
     unique case (pc_q)
       PcEnd, PcNarrowEnd: wait_here = 1'b1;
-      PcAlong:            wait_here = valid_q != '0;
+      PcNarrowDepth:      wait_here = in_flight;
       default:            wait_here = hold_q || last_of_plane;
     endcase
   end
-  assign issue = state_q == Run && !wait_here && !flush && factors_ready_i;
+  assign issue = state_q == Run && !wait_here && !flush && !edge_issue;
   assign flush = no_area || start_narrow;
   assign div_clear = flush;
 
@@ -357,7 +316,7 @@ module plane_setup #(
   assign tri_ready_o = state_q == Idle;
   assign valid_o     = state_q == Done;
   assign idle_o      = state_q == Idle;
-  assign area_o      = to == ToArea && !is_plane_q && !no_area;
+  assign area_o      = to_q == ToArea && !is_plane_q && !no_area;
   assign caster_o    = tri_valid_i && tri_ready_o && !tri_i.is_plane;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -374,19 +333,18 @@ module plane_setup #(
         Idle: if (tri_valid_i) state_q <= Differences;
         Differences: if (index_q == 2'd2) state_q <= Run;
         Run: begin
-          if (no_area || (last_of_plane && valid_q == '0)) state_q <= Idle;
-          else if (issue && pc_q == PcSquare + 6'd2) state_q <= Compare;
+          if (no_area || (last_of_plane && !in_flight)) state_q <= Idle;
+          else if (last_issue && pc_q == PcSquare) state_q <= Judge;
           else if (finish_start) state_q <= Done;
         end
-        Compare: if (valid_q == '0 && shifts_q == '0) state_q <= Judge;
-        Judge: state_q <= Run;
+        Judge: if (to_q == ToSquare) state_q <= Run;
         default: if (ready_i) state_q <= Idle;
       endcase
       if (flush) hold_q <= 1'b0;
-      else if (issue && op.to == ToDivider) hold_q <= 1'b1;
+      else if (last_issue && op_to == ToDivider) hold_q <= 1'b1;
       else if (div_valid && div_ready) hold_q <= 1'b0;
       waiting_q <= div_valid && !div_ready && !flush;
-      `CHECK(divisor_stays, to != ToArea || div_ready)
+      `CHECK(divisor_stays, to_q != ToArea || div_ready)
     end
   end
   always_ff @(posedge clk_i) begin
@@ -408,8 +366,8 @@ module plane_setup #(
         ez_q[index_q] <= {1'b0, vz[next_index]} - {1'b0, vz[index_q]};
         pc_q          <= '0;
         narrow_q      <= 1'b0;
-        shifts_q      <= texel_bits_i - 5'(F + 2);
-        sticky_q      <= 1'b0;
+        term_q        <= '0;
+        digit_q       <= '0;
         if (is_plane_q || !shares_q) begin
           origin_x_q <= vx[0];
           origin_y_q <= vy[0];
@@ -417,18 +375,18 @@ module plane_setup #(
         end
       end
       Run: begin
-        if (issue) pc_q <= pc_next;
+        if (issue) begin
+          term_q <= last_term ? '0 : term_q + 1'b1;
+          if (last_term) digit_q <= last_digit ? '0 : digit_q + 1'b1;
+          if (last_issue) pc_q <= pc_next;
+        end
         if (finish_narrow) begin
           pc_q <= PcStepX;
           // As far as the third vertex, if that lies beyond the edge beside it.
           if ($signed(third_z) > $signed(origin_z_q)) origin_z_q <= third_z;
         end
       end
-      Compare: if (shift_acc) begin
-        shifts_q <= shifts_q - 1'b1;
-        sticky_q <= sticky_q || acc_q[1:0] != '0;
-      end
-      Judge: if (narrow) begin
+      Judge: if (start_narrow) begin
         narrow_q <= 1'b1;
         pc_q     <= tiny ? PcStepX : PcNarrow;
         if (tiny) begin
@@ -443,25 +401,25 @@ module plane_setup #(
       default: ;
     endcase
 
-    unique case (to)
+    unique case (to_q)
       ToArea: begin
-        clockwise_q <= acc_q[D];
+        clockwise_q <= short_sum[D];
         if (is_plane_q || !shares_q) begin
-          den_q <= (acc_q[D-1:0] ^ {D{acc_q[D]}}) + D'(acc_q[D]);
+          den_q <= (short_sum[D-1:0] ^ {D{short_sum[D]}}) + D'(short_sum[D]);
         end
       end
-      ToGradX: grad_x_q <= acc_q[G-1:0];
-      ToGradY: grad_y_q <= acc_q[G-1:0];
+      ToGradX: grad_x_q <= short_sum[G-1:0];
+      ToGradY: grad_y_q <= short_sum[G-1:0];
       ToCorner: begin
-        corner_q[op_index_q]  <= K'($signed(acc_q[2*C+1:0]) >>> texel_bits_i);
-        inexact_q[op_index_q] <= (acc_q[C-2:0] & below) != '0;
+        corner_q[op_index_q]  <= K'($signed(short_sum[2*C+1:16]) >>> texel_bits_i[3:0]);
+        inexact_q[op_index_q] <= (short_sum[C-2:0] & below) != '0;
       end
       ToLength: if (longer) begin
-        best_q      <= acc_q[D-1:0];
+        best_q      <= short_sum[D-1:0];
         best_rank_q <= rank;
         longest_q   <= op_index_q;
       end
-      ToAlong: best_q <= acc_q[D-1:0];
+      ToAlong: best_q <= short_sum[D-1:0];
       default: ;
     endcase
     if (start_narrow && tiny) begin
