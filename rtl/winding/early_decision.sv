@@ -168,7 +168,8 @@ module early_decision #(
   // ---- Texel: 1, what it is ---------------------------------------------------------------------
   shadow_pkg::texel_t      texel;
   shadow_pkg::texel_list_t list;
-  logic                    valid1_q, other1_q;
+  logic                    valid1_q;
+  logic [IdBits-1:0]       object1_q, texel_object1_q;
   logic [SlotBits-1:0]     slot1_q;
   logic [VerdictBits-1:0]  verdict1_q;
   logic [1:0]              kind1_q;
@@ -181,7 +182,8 @@ module early_decision #(
     slot1_q    <= word_slot;
     verdict1_q <= word_needed ? {shadow_pkg::ByNothing, 1'b0} : word_verdict;
     kind1_q    <= word_needed ? texel.kind : shadow_pkg::TexelEmpty;
-    other1_q   <= !paper_semantics_i || texel.object != word_object;
+    object1_q  <= word_object;
+    texel_object1_q <= texel.object;
     word1_q    <= texel.word;
     depth1_q   <= word_depth;
     x1_q       <= word_x;
@@ -189,9 +191,10 @@ module early_decision #(
   end
 
   // 2: its cover's depth; a list is read unless that decides
-  logic covered, behind, first_test;
+  logic other, covered, behind, first_test;
+  assign other        = !paper_semantics_i || texel_object1_q != object1_q;
   assign list         = word1_q[shadow_pkg::ListBits-1:0];
-  assign covered      = other1_q && list.covered;
+  assign covered      = other && list.covered;
   assign behind       = $signed({9'd0, depth1_q}) > $signed({list.cover_depth[shadow_pkg::CoverBits-1], list.cover_depth});
   assign first_test   = kind1_q == shadow_pkg::TexelList && skip_first_test_i && covered && behind;
   assign first_test_o = valid1_q && first_test;
@@ -211,7 +214,7 @@ module early_decision #(
     slot3_q    <= slot2_q;
     list2_q    <= list_o;
     list3_q    <= list2_q;
-    plane2_q   <= kind1_q == shadow_pkg::TexelPlane && other1_q;
+    plane2_q   <= kind1_q == shadow_pkg::TexelPlane && other;
     plane3_q   <= plane2_q;
     verdict2_q <= first_test || (kind1_q == shadow_pkg::TexelOverflow && covered && behind)
                   ? {shadow_pkg::ByBuffer, 1'b1} : verdict1_q;

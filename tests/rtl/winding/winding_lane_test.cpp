@@ -1,6 +1,7 @@
 // Pass 2 of the winding profile: the lane against the golden unit, on the golden unit's own buffers.
 //
-// With arguments `cycles [WIDTH [LATENCY]]` the program prints cycles a fragment on the built-in scenes instead.
+// With arguments `cycles [WIDTH [LATENCY [SCENE]]]` the program prints cycles a fragment on the built-in
+// scenes, or one of them, instead.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -160,7 +161,7 @@ TEST(ShadowLane, DecidesStressCasesAsTheGoldenUnitDoes) {
   EXPECT_GT(entries, 5000u);
 }
 
-int print_cycles(unsigned width, unsigned latency) {
+int print_cycles(unsigned width, unsigned latency, const std::string& only) {
   Settings settings;
   settings.memory.least_latency = settings.memory.most_latency = latency;
   static const char* const kCauses[] = {"fragment", "input",    "texel",    "texelport", "slb",
@@ -169,6 +170,7 @@ int print_cycles(unsigned width, unsigned latency) {
   int frames = 0;
   for (const SceneInfo& scene : builtin_scenes()) {
     for (const double scale : {1.0, 4.0, 16.0}) {
+      if (!only.empty() && scene.name != only) continue;
       if (scene.name == "sphere1m" && scale > 1) continue;  // dozens of records a fragment: minutes
       const Trace trace = frame_of(scene.name, scale, width, 1024);
       const UnitConfig config = config_of(trace);
@@ -197,7 +199,7 @@ int print_cycles(unsigned width, unsigned latency) {
 int main(int argc, char** argv) {
   if (argc > 1 && std::strcmp(argv[1], "cycles") == 0) {
     return kagesen::rtl::print_cycles(argc > 2 ? unsigned(std::atoi(argv[2])) : 480,
-                                      argc > 3 ? unsigned(std::atoi(argv[3])) : 20);
+                                      argc > 3 ? unsigned(std::atoi(argv[3])) : 20, argc > 4 ? argv[4] : "");
   }
   testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
