@@ -4,8 +4,8 @@
 // Twins:   encode_gradient and FacetPlane::store in model/unit/winding/plane.cpp.
 // Numbers: a gradient is depth a texel, rounded down; its size takes SizeBits. Code: sign, exponent, mantissa.
 //          It is normalised and spread out again bit by bit: twice its exponent, which is small where the
-//          plane is not steep.
-// Timing:  gradient x, then y, each taken when ready; 3 + 2 * exponent cycles each. done_o from then until
+//          plane is not steep. Bias: half of what is off, rounded up, with 3 on top; and the steeper sum.
+// Timing:  gradient x, then y, each taken when ready; 7 + 2 * exponent cycles each. done_o from then until
 //          clear_i.
 `include "check.svh"
 module gradient_encoder #(
@@ -16,7 +16,7 @@ module gradient_encoder #(
 ) (
   input  logic                clk_i,
   input  logic                rst_ni,
-  input  logic                clear_i,     // forgets both gradients
+  input  logic                clear_i,     // forgets both gradients; before the first one, too
   input  logic                valid_i,
   output logic                ready_o,
   input  logic [SizeBits:0]   gradient_i,  // signed
@@ -25,31 +25,41 @@ module gradient_encoder #(
   output logic                done_o,      // both codes and the bias are there
   output logic [shadow_pkg::DepthRange-1:0] bias_o  // modular, without a shared plane's tolerance
 );
-  localparam logic [1:0] Idle = 2'd0, Normalise = 2'd1, Spread = 2'd2, Sum = 2'd3;
-  logic [1:0] state_q;
-  logic       second_q, negative_q;
-  logic [1:0] taken_q;  // gradients
-  logic [SizeBits-1:0] size_q;           // |gradient|
-  logic [SizeBits:0]   shift_q;          // size >> exponent, then the stored size
+  localparam int unsigned S = SumBits;
+  localparam logic [2:0] Idle = 3'd0, Absolute = 3'd1, Load = 3'd2, Normalise = 3'd3, Spread = 3'd4, True = 3'd5,
+                         Stored = 3'd6, Rounding = 3'd7;
+  logic [2:0] state_q;
+  logic       negative_q;
+  logic [1:0] taken_q;            // gradients
+  logic       done_q;
+  logic [SizeBits:0] size_q;      // gradient, then |gradient|
+  logic [SizeBits:0] shift_q;     // size >> exponent, then the stored size, then how far that is off
   logic [shadow_pkg::ExponentBits-1:0] exponent_q, left_q;
   logic [shadow_pkg::GradientCodeBits-1:0] code_x_q, code_y_q;
-  logic [SumBits-1:0] rounding_q, true_q, stored_q;  // sums over both
+  // Sums over both gradients, as a ring: of sizes and 2, of stored sizes, of what rounding was off and 9.
+  logic [S-1:0] sum0_q, sum1_q, sum2_q, term, next;
+  logic [shadow_pkg::DepthRange-1:0] bias_q;
 
-  logic                fits;
-  logic [M+1:0]        mantissa;  // with its leading one, or 2^(M+1) where it rounds up to that
+  logic         fits;
+  logic [M+1:0] mantissa;  // with its leading one, or 2^(M+1) where it rounds up to that
   logic [shadow_pkg::GradientCodeBits-2:0] code;
-  logic [SizeBits:0]   off, off_size;  // stored less true size
+  logic [SizeBits:0] less, off_size;
   assign fits     = (shift_q >> (Step + M + 1)) == '0;
   assign mantissa = {1'b0, shift_q[Step +: M+1]} + {{(M+1){1'b0}}, shift_q[Step-1]};
   assign code     = {exponent_q, {M{1'b0}}} + (shadow_pkg::GradientCodeBits-1)'(mantissa);
-  assign off      = shift_q - {1'b0, size_q};
-  assign off_size = (off ^ {(SizeBits+1){off[SizeBits]}}) + (SizeBits+1)'(off[SizeBits]);
+  assign less     = shift_q - size_q;
+  assign off_size = shift_q ^ {(SizeBits+1){shift_q[SizeBits]}};  // less 1 if it is negative
+  assign term     = state_q == True ? S'(size_q)
+                  : state_q == Stored ? S'(shift_q) : S'(off_size);
+  assign next     = sum0_q + term + S'(state_q == Rounding && shift_q[SizeBits]);
 
-  logic [SumBits-1:0] steeper;
-  assign steeper  = true_q + SumBits'(2) > stored_q ? true_q + SumBits'(2) : stored_q;
-  assign bias_o   = shadow_pkg::DepthRange'(((rounding_q + SumBits'(3)) >> 1) + (steeper >> (shadow_pkg::EndBits - 1)) + SumBits'(3));
+  logic [S-1:0] steeper;
+  assign steeper  = sum0_q > sum1_q ? sum0_q : sum1_q;
+  always_ff @(posedge clk_i)
+    bias_q <= shadow_pkg::DepthRange'((sum2_q >> 1) + (steeper >> (shadow_pkg::EndBits - 1)));
+  assign bias_o   = bias_q;
   assign ready_o  = state_q == Idle && taken_q != 2'd2;
-  assign done_o   = state_q == Idle && taken_q == 2'd2;
+  assign done_o   = done_q;
   assign code_x_o = code_x_q;
   assign code_y_o = code_y_q;
 
@@ -57,19 +67,22 @@ module gradient_encoder #(
     if (!rst_ni) begin
       state_q <= Idle;
       taken_q <= 2'd0;
+      done_q  <= 1'b0;
     end else if (clear_i) begin
       state_q <= Idle;
       taken_q <= 2'd0;
+      done_q  <= 1'b0;
     end else begin
       unique case (state_q)
         Idle: if (valid_i && ready_o) begin
-          state_q <= Normalise;
+          state_q <= Absolute;
           taken_q <= taken_q + 2'd1;
         end
         Normalise: if (fits) state_q <= Spread;
-        Spread: if (left_q == '0) state_q <= Sum;
-        default: state_q <= Idle;
+        Spread: if (left_q == '0) state_q <= True;
+        default: state_q <= state_q + 3'd1;  // Rounding: to Idle
       endcase
+      done_q <= state_q == Idle && taken_q == 2'd2;
       `CHECK(exponent_in_range, state_q != Normalise || fits || exponent_q != '1)
     end
   end
@@ -77,39 +90,39 @@ module gradient_encoder #(
     unique case (state_q)
       Idle: if (valid_i && ready_o) begin
         negative_q <= gradient_i[SizeBits];
-        size_q     <= (gradient_i[SizeBits-1:0] ^ {SizeBits{gradient_i[SizeBits]}})
-                    + {{(SizeBits-1){1'b0}}, gradient_i[SizeBits]};
-        shift_q    <= (gradient_i ^ {(SizeBits+1){gradient_i[SizeBits]}})
-                    + {{SizeBits{1'b0}}, gradient_i[SizeBits]};
+        size_q     <= gradient_i;
+        shift_q    <= '0;
         exponent_q <= '0;
-        second_q   <= taken_q[0];
-        if (taken_q == 2'd0) begin
-          rounding_q <= '0;
-          true_q     <= '0;
-          stored_q   <= '0;
-        end
       end
+      Absolute: if (negative_q) size_q <= less;
+      Load: shift_q <= size_q;
       Normalise: begin
         left_q <= exponent_q;
         if (!fits) begin
           shift_q    <= shift_q >> 1;
           exponent_q <= exponent_q + 1'b1;
         end else begin
-          shift_q <= {{(SizeBits-M-1-Step){1'b0}}, mantissa, {Step{1'b0}}};
-          if (second_q) code_y_q <= {negative_q && code != '0, code};
-          else code_x_q <= {negative_q && code != '0, code};
+          shift_q  <= {{(SizeBits-M-1-Step){1'b0}}, mantissa, {Step{1'b0}}};
+          code_y_q <= {negative_q && code != '0, code};
+          code_x_q <= code_y_q;
         end
       end
       Spread: begin
         left_q <= left_q - 1'b1;
         if (left_q != '0) shift_q <= shift_q << 1;
       end
-      default: begin
-        // A code of 0 has lost its sign, and with it nothing: 0 is as far from the one as the other.
-        rounding_q <= rounding_q + SumBits'(off_size);
-        true_q     <= true_q + SumBits'(size_q);
-        stored_q   <= stored_q + SumBits'(shift_q);
-      end
+      // A code of 0 has lost its sign, and with it nothing: 0 is as far from the one as the other.
+      Stored: shift_q <= less;
+      default: ;
     endcase
+    if (clear_i) begin
+      sum0_q <= S'(2);
+      sum1_q <= '0;
+      sum2_q <= S'(9);
+    end else if (state_q == True || state_q == Stored || state_q == Rounding) begin
+      sum0_q <= sum1_q;
+      sum1_q <= sum2_q;
+      sum2_q <= next;
+    end
   end
 endmodule

@@ -104,9 +104,11 @@ module plane_setup #(
     assign up[i] = ey_q[i] == '0 ? !ex_q[i][C] : !ey_q[i][C];
     assign precedes[i] = ex_q[i] != '0 ? !ex_q[i][C] : ey_q[i] != '0 ? !ey_q[i][C] : !ez_q[i][Z];
   end
-  logic [C-1:0] low_x, low_y;  // lowest vertex
-  assign low_x = up[0] && !up[2] ? vx[0] : up[1] && !up[0] ? vx[1] : vx[2];
-  assign low_y = up[0] && !up[2] ? vy[0] : up[1] && !up[0] ? vy[1] : vy[2];
+  logic [1:0]   low_q;  // lowest vertex
+  logic [C-1:0] low_x, low_y;
+  always_ff @(posedge clk_i) low_q <= up[0] && !up[2] ? 2'd0 : up[1] && !up[0] ? 2'd1 : 2'd2;
+  assign low_x = vx[low_q];
+  assign low_y = vy[low_q];
 
   // Texel, half a texel, and what lies below a texel.
   logic [C-2:0] texel, half, below;
@@ -127,16 +129,16 @@ module plane_setup #(
   localparam logic [1:0] DivStepX = 2'd0, DivStepY = 2'd1, DivStart = 2'd2, DivNarrow = 2'd3;
   logic [4:0] pc_q, pc_next;
   logic [1:0] term_q;
-  logic [2:0] digit_q, b_digit, a_kind;
+  logic [2:0] digit_q, b_digit, next_a_kind;
   logic       last_term, last_digit, minus, by_area, b_axis;
   logic [3:0] op_to;
-  logic [1:0] op_index, a_axis, a_index, b_kind, b_index;
+  logic [1:0] op_index, next_a_axis, a_index, b_kind, b_index;
   logic [1:0] longest_q, longest_back;  // edge, and the one before it
   assign longest_back = longest_q == 2'd0 ? 2'd2 : longest_q - 2'd1;
   plane_program program_of (
     .pc_i(pc_q), .term_i(term_q), .digit_i(digit_q), .longest_i(longest_q), .last_term_o(last_term),
     .last_digit_o(last_digit), .minus_o(minus), .by_area_o(by_area), .to_o(op_to), .index_o(op_index),
-    .a_kind_o(a_kind), .a_axis_o(a_axis), .a_index_o(a_index), .b_kind_o(b_kind), .b_axis_o(b_axis),
+    .a_kind_o(next_a_kind), .a_axis_o(next_a_axis), .a_index_o(a_index), .b_kind_o(b_kind), .b_axis_o(b_axis),
     .b_index_o(b_index), .b_digit_o(b_digit));
 
   // ---- Factors ----
@@ -145,71 +147,97 @@ module plane_setup #(
   logic [4*Digit-1:0] area, b_long;
   logic [C:0]         a_edge, a_from, a_to, b_edge;
   logic [4:0]         power;
+  logic [C:0]         difference_q;
+  logic [2:0]         a_kind_q, b_digit_q;
+  logic [1:0]         a_axis_q, a_index_q, b_kind_q, b_index_q;
+  logic               b_axis_q, minus_q, by_area_q, first_q, move_q;
+  logic               is_edge_q, edge_high_q;  // a product for edge_setup
   logic [A-1:0]       factor_a;
   logic [Digit:0]     factor_b;
-  logic               edge_digit_q, edge_issue;  // a product for edge_setup: which digit
+  logic               edge_digit_q, edge_issue;
   assign area  = (4*Digit)'(den_q) << (2 + Scale);
-  assign power = a_kind == ARadius ? 5'({texel_bits_i, 1'b0} - 6'(RadiusLess)) : {1'b1, texel_bits_i[3:0]};
+  assign power = a_kind_q == ARadius ? 5'({texel_bits_i, 1'b0} - 6'(RadiusLess)) : {1'b1, texel_bits_i[3:0]};
+  // Differences, and what picks the other factors, a cycle ahead.
   always_comb begin
-    unique case (a_axis)
-      Zz:      a_edge = {{(C-Z){ez_q[a_index][Z]}}, ez_q[a_index]};
-      2'd1:    a_edge = ey_q[a_index];
-      default: a_edge = ex_q[a_index];
-    endcase
-    a_to = a_axis[0] ? {low_y[C-1], low_y & {1'b1, ~below}} : {low_x[C-1], low_x & {1'b1, ~below}};
-    if (a_kind == ACentre) begin
+    a_to = next_a_axis[0] ? {low_y[C-1], low_y & {1'b1, ~below}} : {low_x[C-1], low_x & {1'b1, ~below}};
+    if (next_a_kind == ACentre) begin
       a_to   = a_to | {2'b0, half};
-      a_from = a_axis[0] ? {origin_y_q[C-1], origin_y_q} : {origin_x_q[C-1], origin_x_q};
+      a_from = next_a_axis[0] ? {origin_y_q[C-1], origin_y_q} : {origin_x_q[C-1], origin_x_q};
     end else begin
-      a_from = a_axis[0] ? {vy[b_index][C-1], vy[b_index]} : {vx[b_index][C-1], vx[b_index]};
+      a_from = next_a_axis[0] ? {vy[b_index][C-1], vy[b_index]} : {vx[b_index][C-1], vx[b_index]};
     end
-    unique case (a_kind)
+  end
+  always_ff @(posedge clk_i) begin
+    difference_q <= a_to - a_from;
+    a_kind_q     <= next_a_kind;
+    a_axis_q     <= next_a_axis;
+    a_index_q    <= a_index;
+    b_kind_q     <= b_kind;
+    b_axis_q     <= b_axis;
+    b_index_q    <= b_index;
+    b_digit_q    <= b_digit;
+    is_edge_q    <= edge_issue;
+    edge_high_q  <= edge_digit_q;
+    minus_q      <= minus;
+    by_area_q    <= by_area;
+    first_q      <= edge_issue ? !edge_digit_q : term_q == '0 && digit_q == '0;
+    move_q       <= edge_issue ? !edge_digit_q : last_term && !last_digit;
+  end
+  always_comb begin
+    unique case (a_axis_q)
+      Zz:      a_edge = {{(C-Z){ez_q[a_index_q][Z]}}, ez_q[a_index_q]};
+      2'd1:    a_edge = ey_q[a_index_q];
+      default: a_edge = ex_q[a_index_q];
+    endcase
+    unique case (a_kind_q)
       AEdge:            factor_a = A'($signed(a_edge));
-      ACorner, ACentre: factor_a = A'($signed(a_to - a_from));
+      ACorner, ACentre: factor_a = A'($signed(difference_q));
       ATexel, ARadius:  factor_a = A'(1) << power;
       AAreaLow:         factor_a = {1'b0, area[A-2:0]};
       default:          factor_a = A'(area[4*Digit-1:A-1]);
     endcase
-    if (edge_issue) factor_a = A'($signed(edge_a_i));
+    if (is_edge_q) factor_a = A'($signed(edge_a_i));
 
-    b_edge = b_axis ? ey_q[b_index] : ex_q[b_index];
-    unique case (b_kind)
+    b_edge = b_axis_q ? ey_q[b_index_q] : ex_q[b_index_q];
+    unique case (b_kind_q)
       BEdge:     b_long = (4*Digit)'($signed(b_edge));
-      BGradient: b_long = (4*Digit)'($signed(b_axis ? grad_y_q : grad_x_q));
+      BGradient: b_long = (4*Digit)'($signed(b_axis_q ? grad_y_q : grad_x_q));
       BBest:     b_long = (4*Digit)'(best_q);
       default:   b_long = area;
     endcase
-    unique case (b_digit)
+    unique case (b_digit_q)
       3'd0:    factor_b = {1'b0, b_long[Digit-1:0]};
-      3'd1:    factor_b = {b_kind == BEdge && b_edge[C], b_long[Digit +: Digit]};
+      3'd1:    factor_b = {b_kind_q == BEdge && b_edge[C], b_long[Digit +: Digit]};
       3'd2:    factor_b = {1'b0, b_long[2*Digit +: Digit]};
-      3'd3:    factor_b = {b_kind == BGradient && b_long[4*Digit-1], b_long[3*Digit +: Digit]};
+      3'd3:    factor_b = {b_kind_q == BGradient && b_long[4*Digit-1], b_long[3*Digit +: Digit]};
       default: factor_b = '0;
     endcase
-    if (edge_issue) factor_b = edge_digit_q ? (Digit+1)'(edge_b_i[C-1:Digit]) : {1'b0, edge_b_i[Digit-1:0]};
+    if (is_edge_q) factor_b = edge_high_q ? (Digit+1)'(edge_b_i[C-1:Digit]) : {1'b0, edge_b_i[Digit-1:0]};
   end
 
   // ---- Sums: factors, sum ----
   logic               issue, flush, hold_q;  // hold_q: the sum is for the divider, which has not taken it
   logic               last_issue;            // of a sum
-  logic [3:0]         to_next, to1_q, to_q;
-  logic [1:0]         index1_q, op_index_q;
+  logic               issue_q;
+  logic [3:0]         to_next, to1_q, to2_q, to_q;
+  logic [1:0]         index1_q, index2_q, op_index_q;
   logic               clockwise_q;
   logic               edge_waits_q;          // its product is on the way
   logic [SumBits-1:0] sum;
   logic [2*C+1:0]     short_sum;             // of two digits
   plane_sums #(.ABits(A), .DigitBits(Digit), .Digits(4)) sums (
-    .clk_i, .valid_i(issue || edge_issue), .a_i(factor_a), .digit_i(factor_b),
-    .minus_i(!edge_issue && (minus ^ (by_area && clockwise_q))),
-    .first_i(edge_issue ? !edge_digit_q : term_q == '0 && digit_q == '0),
-    .move_i(edge_issue ? !edge_digit_q : last_term && !last_digit), .sum_o(sum));
+    .clk_i, .valid_i(issue_q), .a_i(factor_a), .digit_i(factor_b),
+    .minus_i(!is_edge_q && (minus_q ^ (by_area_q && clockwise_q))), .first_i(first_q), .move_i(move_q),
+    .sum_o(sum));
   assign short_sum  = sum[2*Digit +: 2*C+2];
   assign product_o  = short_sum[2*C-1:0];
   assign last_issue = issue && last_term && last_digit;
   assign to_next    = last_issue ? op_to : edge_issue && edge_digit_q ? ToEdge : ToNone;
   always_ff @(posedge clk_i) begin
     index1_q   <= op_index;
-    op_index_q <= index1_q;
+    index2_q   <= index1_q;
+    op_index_q <= index2_q;
+    issue_q    <= issue || edge_issue;
   end
   assign edge_issue = edge_valid_i && !edge_waits_q
                    && (edge_digit_q || (!hold_q && (state_q != Run || (term_q == '0 && digit_q == '0))));
@@ -217,17 +245,20 @@ module plane_setup #(
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       to1_q        <= ToNone;
+      to2_q        <= ToNone;
       to_q         <= ToNone;
       edge_digit_q <= 1'b0;
       edge_waits_q <= 1'b0;
     end else if (clear_i) begin
       to1_q        <= ToNone;
+      to2_q        <= ToNone;
       to_q         <= ToNone;
       edge_digit_q <= 1'b0;
       edge_waits_q <= 1'b0;
     end else begin
       to1_q        <= no_area ? ToNone : to_next;
-      to_q         <= no_area ? ToNone : to1_q;
+      to2_q        <= no_area ? ToNone : to1_q;
+      to_q         <= no_area ? ToNone : to2_q;
       edge_digit_q <= edge_issue && !edge_digit_q;
       edge_waits_q <= (edge_issue && edge_digit_q) || (edge_waits_q && !edge_done_o);
     end
@@ -254,7 +285,7 @@ module plane_setup #(
   always_comb begin
     unique case (division_q)
       DivStepX, DivStepY: div_take = encoder_ready;
-      DivStart:           div_take = encoder_done && state_q == Run;
+      DivStart:           div_take = full_bias_done_q && state_q == Run;
       default:            div_take = 1'b1;
     endcase
   end
@@ -295,7 +326,7 @@ module plane_setup #(
   end
   // Sums that a product's factor needs, or that must stay, are waited for.
   logic in_flight;
-  assign in_flight = to1_q != ToNone || to_q != ToNone;
+  assign in_flight = to1_q != ToNone || to2_q != ToNone || to_q != ToNone;
   always_comb begin
     unique case (pc_q)
       PcEnd, PcNarrowEnd: wait_here = 1'b1;
@@ -307,10 +338,11 @@ module plane_setup #(
   assign flush = no_area || start_narrow;
   assign div_clear = flush;
 
-  logic [Depth-1:0] bias, full_bias;  // origin's depth, bias, and what rounds up to a step
+  logic [Depth-1:0] bias, full_bias_q;  // origin's depth, bias, and what rounds up to a step
+  logic             full_bias_done_q;
   logic         finish_start, finish_narrow;
-  logic [Z+2:0] third_z;
-  assign third_z        = {3'b0, vz[longest_back]} - quotient[Z+2:0];
+  logic         third_due_q;  // the third vertex's depth, carried to the edge beside it, is there
+  logic [Z+2:0] third_z_q;
   assign finish_start  = div_done && div_take && division_q == DivStart;
   assign finish_narrow = div_done && division_q == DivNarrow;
   assign tri_ready_o = state_q == Idle;
@@ -380,11 +412,9 @@ module plane_setup #(
           if (last_term) digit_q <= last_digit ? '0 : digit_q + 1'b1;
           if (last_issue) pc_q <= pc_next;
         end
-        if (finish_narrow) begin
-          pc_q <= PcStepX;
-          // As far as the third vertex, if that lies beyond the edge beside it.
-          if ($signed(third_z) > $signed(origin_z_q)) origin_z_q <= third_z;
-        end
+        if (finish_narrow) pc_q <= PcStepX;
+        // As far as the third vertex, if that lies beyond the edge beside it.
+        if (third_due_q && $signed(third_z_q) > $signed(origin_z_q)) origin_z_q <= third_z_q;
       end
       Judge: if (start_narrow) begin
         narrow_q <= 1'b1;
@@ -401,6 +431,8 @@ module plane_setup #(
       default: ;
     endcase
 
+    third_z_q   <= {3'b0, vz[longest_back]} - quotient[Z+2:0];
+    third_due_q <= finish_narrow;
     unique case (to_q)
       ToArea: begin
         clockwise_q <= short_sum[D];
@@ -441,7 +473,7 @@ module plane_setup #(
           step_y_rest_o  <= remainder;
         end
         DivStart: begin
-          start_whole_o <= quotient[Depth-1:0] + full_bias;
+          start_whole_o <= quotient[Depth-1:0] + full_bias_q;
           start_rest_o  <= remainder;
         end
         default: ;
@@ -456,9 +488,11 @@ module plane_setup #(
     .valid_i(div_done && (division_q == DivStepX || division_q == DivStepY)), .ready_o(encoder_ready),
     .gradient_i(quotient[F+27:0]), .code_x_o(visit_tri.gradient_x), .code_y_o(visit_tri.gradient_y),
     .done_o(encoder_done), .bias_o(bias));
-  assign full_bias = Depth'(origin_z_q) + bias
-                   + (shares_q ? Depth'(plane_tolerance_i) : '0)
-                   + Depth'((1 << shadow_pkg::PlaneStepBits) - 1);
+  always_ff @(posedge clk_i) begin
+    full_bias_q <= Depth'(origin_z_q) + bias + (shares_q ? Depth'(plane_tolerance_i) : '0)
+                 + Depth'((1 << shadow_pkg::PlaneStepBits) - 1);
+    full_bias_done_q <= encoder_done;
+  end
   assign visit_tri.object = object_q;
   assign visit_tri_o      = visit_tri;
   assign base_o           = den_q;
