@@ -168,17 +168,20 @@ module edge_setup #(
   assign swap        = edge_dy[E-1] || (edge_dy == '0 && edge_dx[E-1]);
   assign difference  = pc_q == PcEdge ? edge_dx : edge_dy;
   assign extent      = (difference[C-1:0] ^ {C{difference[E-1]}}) + C'(difference[E-1]);
-  assign x_major     = length_q > extent;
+  assign x_major     = length_q > rise_q;
   always_ff @(posedge clk_i) begin
     if (pc_q == PcEdge) begin
       swap_q       <= swap;
       x_positive_o <= edge_dx == '0 || edge_dx[E-1] == swap;
       length_q     <= extent;
     end
-    if (pc_q == PcAxes && !second_q) begin
+    if (pc_q == PcAxes && !second_q) rise_q <= extent;
+    if (pc_q == PcAxes && second_q) begin
       x_major_o <= x_major;
-      length_q  <= x_major ? length_q : extent;
-      rise_q    <= x_major ? extent : length_q;
+      if (!x_major) begin
+        length_q <= rise_q;
+        rise_q   <= length_q;
+      end
     end
   end
   assign rises         = rise_q != '0;
@@ -196,7 +199,7 @@ module edge_setup #(
   logic [1:0]   vertex;
   logic [C-1:0] x, y;
   logic [R-1:0] index;
-  logic [F:0]   units, into_minor_q;
+  logic [F:0]   units, units_q, into_minor_q;
   assign at_end = pc_q >= PcLast;
   assign vertex = at_end ? to_vertex : from_vertex;
   assign x      = vertex == 2'd0 ? tri_i.v0.x : vertex == 2'd1 ? tri_i.v1.x : tri_i.v2.x;
@@ -207,8 +210,9 @@ module edge_setup #(
     .texel_bits_i(settings_i.texel_bits), .map_size_i(along_y ? settings_i.map_height : settings_i.map_width),
     .coordinate_i(along_y ? y : x), .before_i(on_before), .index_o(index), .inside_o(units));
   always_ff @(posedge clk_i) begin
+    units_q <= units;
     if (pc_q == PcOffset) first_x_o <= index;
-    if (pc_q == PcOffset + 5'd2) first_y_o <= index;
+    if (pc_q == PcOffset + 5'd1) first_y_o <= index;
     if (pc_q == PcLast) last_x_o <= index;
     if (pc_q == PcLast + 5'd1) last_y_o <= index;
     if (pc_q == PcInto) into_minor_q <= way[F:0];
@@ -216,7 +220,7 @@ module edge_setup #(
 
   // ---- Products ----
   // Ways from the start, inside its texel: to the centre, to the corner, to the texel's sides. Along x they
-  // may go down: what is before the start then is the rest of the texel.
+  // may go down: what is before the start then is the rest of the texel. Ways are there in a step's second cycle.
   logic [E-1:0]            factor_a, factor_b, way, way_base;
   logic [2*E-1:0]          product;
   logic [GradientBits-1:0] gradient_x, gradient_y;
@@ -235,13 +239,13 @@ module edge_setup #(
       default: ;
     endcase
     case (pc_q)
-      5'd10, 5'd11, 5'd14, 5'd20, 5'd22, PcLast: along_y = 1'b0;
+      5'd10, 5'd13, 5'd14, 5'd20, 5'd22, PcLast: along_y = 1'b0;
       5'd16, 5'd17: along_y = !x_major_o;
       5'd18, 5'd19: along_y = x_major_o;
       default: along_y = 1'b1;
     endcase
   end
-  assign way = way_base + (E'(units) ^ {E{way_less}}) + E'(way_less);
+  assign way = way_base + (E'(units_q) ^ {E{way_less}}) + E'(way_less);
   two_pass_multiplier #(.ABits(E), .BBits(E)) multiplier (
     .clk_i, .take_i(second_q), .a_i(factor_a), .b_i(factor_b), .product_o(product));
   always_comb begin
@@ -250,10 +254,10 @@ module edge_setup #(
       5'd1, 5'd21:  factor_a = dx1;
       5'd2, 5'd5:   factor_a = E'($signed(dz0));
       5'd3, 5'd4:   factor_a = E'($signed(dz1));
-      5'd10:        factor_a = E'($signed(gradient_x[GradientBits-1:C-1]));
-      5'd11:        factor_a = E'(gradient_x[C-2:0]);
+      5'd10:        factor_a = E'(gradient_x[C-2:0]);
+      5'd11:        factor_a = E'(gradient_y[C-2:0]);
       5'd12:        factor_a = E'($signed(gradient_y[GradientBits-1:C-1]));
-      5'd13:        factor_a = E'(gradient_y[C-2:0]);
+      5'd13:        factor_a = E'($signed(gradient_x[GradientBits-1:C-1]));
       5'd14:        factor_a = dy0;
       5'd16:        factor_a = E'(rise_q);
       5'd17, 5'd18: factor_a = E'($signed(dz));
@@ -274,25 +278,23 @@ module edge_setup #(
   // A corner function is that of the start, which is the area for the edge opposite and else 0, and
   // what the way to the corner adds.
   logic [2*E-1:0] sum_q, sum_from;
-  logic           clockwise_q, clockwise, sum_first, sum_less, sum_area;
+  logic           clockwise_q, sum_area_q;
   logic [1:0]     corner;
   logic [2:0]     corner_done;
   logic           corner_opposite;
-  assign corner          = pc_q == PcCorner + 5'd2 ? 2'd0 : pc_q == PcCorners + 5'd2 ? 2'd1 : 2'd2;  // function of a first product
+  assign corner          = pc_q == PcCorner + 5'd1 ? 2'd0 : pc_q == PcCorners + 5'd1 ? 2'd1 : 2'd2;  // function of a first product
   assign corner_done     = {pc_q == PcCorners + 5'd6, pc_q == PcCorners + 5'd4, pc_q == PcCorner + 5'd4};
   assign corner_opposite = corner == (from_vertex == 2'd2 ? 2'd0 : from_vertex + 1'b1);
-  assign sum_first       = !pc_q[0];
-  assign sum_less        = pc_q[0];
-  assign sum_area        = sum_first && pc_q >= PcCorner && corner_opposite;
-  assign sum_from        = !sum_first ? sum_q : sum_area ? {2'b0, area_q} ^ {(2*E){clockwise_q}} : '0;
-  assign clockwise       = pc_q == 5'd4 ? sum_q[2*E-1] : clockwise_q;
+  // First products come in even steps, those that are subtracted in odd ones.
+  assign sum_from        = pc_q[0] ? sum_q : {2'b0, area_q & {AreaBits{sum_area_q}}} ^ {(2*E){sum_area_q && clockwise_q}};
   assign clockwise_o     = clockwise_q;
   assign area_o          = area_q;
   always_ff @(posedge clk_i) begin
-    if (!second_q) sum_q <= sum_from + (product ^ {(2*E){sum_less}}) + {{(2*E-1){1'b0}}, sum_less || (sum_area && clockwise_q)};
-    if (pc_q == 5'd4 && !second_q) begin
-      clockwise_q <= clockwise;
-      area_q      <= clockwise ? -sum_q[AreaBits-1:0] : sum_q[AreaBits-1:0];
+    sum_area_q <= pc_q >= PcCorner && corner_opposite;  // what it says in even steps is of the odd one before
+    if (!second_q) sum_q <= sum_from + (product ^ {(2*E){pc_q[0]}}) + (2*E)'(pc_q[0] || (sum_area_q && clockwise_q));
+    if (pc_q == 5'd3 && second_q) begin
+      clockwise_q <= sum_q[2*E-1];
+      area_q      <= (sum_q[AreaBits-1:0] ^ {AreaBits{sum_q[2*E-1]}}) + AreaBits'(sum_q[2*E-1]);
     end
     for (int i = 0; i < 3; i++) begin
       if (corner_done[i] && !second_q) begin
@@ -303,14 +305,22 @@ module edge_setup #(
   end
 
   // ---- Plane ----
+  // What the next step's product is, in that step's first cycle.
+  logic gradient_x_step_q, gradient_y_step_q, offset_step_q, first_q, less_q, high_q;
+  always_ff @(posedge clk_i) begin
+    gradient_x_step_q <= second_q && (pc_q == 5'd3 || pc_q == 5'd4);
+    gradient_y_step_q <= second_q && (pc_q == 5'd5 || pc_q == 5'd6);
+    offset_step_q     <= second_q && pc_q >= PcOffset + 5'd1 && pc_q < PcOffset + 5'd5;
+    first_q           <= pc_q == 5'd3 || pc_q == 5'd5 || pc_q == PcOffset + 5'd1;
+    less_q            <= !pc_q[0] != (pc_q == 5'd3 ? sum_q[2*E-1] : clockwise_q);
+    high_q            <= pc_q >= PcOffset + 5'd3;
+  end
   logic         plane_valid, offset_taken;
   plane_setup plane (
     .clk_i, .rst_ni, .clear_i, .texel_bits_i(settings_i.texel_bits), .farthest_i(settings_i.hidden_removal == 2'd2),
     .product_i(product),
-    .gradient_x_i(!second_q && (pc_q == 5'd4 || pc_q == 5'd5)), .gradient_y_i(!second_q && (pc_q == 5'd6 || pc_q == 5'd7)),
-    .offset_i(!second_q && pc_q >= PcOffset + 5'd2 && pc_q < PcOffset + 5'd6),
-    .first_i(pc_q == 5'd4 || pc_q == 5'd6 || pc_q == PcOffset + 5'd2),
-    .less_i(pc_q[0] != clockwise), .high_i(!pc_q[0]),
+    .gradient_x_i(gradient_x_step_q), .gradient_y_i(gradient_y_step_q), .offset_i(offset_step_q),
+    .first_i(first_q), .less_i(less_q), .high_i(high_q),
     .start_i(pc_q == PcEdge && edge_q == 2'd0 && second_q && !flat && run),
     .offset_ready_i(offset_full_q), .offset_taken_o(offset_taken),
     .area_i(area_q), .range_i(most_o - least_o),

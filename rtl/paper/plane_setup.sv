@@ -16,6 +16,7 @@ module plane_setup #(
   localparam int unsigned F = shadow_pkg::MaxFraction,
   localparam int unsigned G = D + C + 2,                      // of a gradient, signed
   localparam int unsigned P = 2 * ((D + C + F + 3) / 2) + 1,  // of a numerator, signed
+  localparam int unsigned W = 2 * C + 2,                      // of a product and the sum of some, at least P - C + 1
   localparam int unsigned N = P - 1,                          // of its magnitude, even
   localparam int unsigned AreaBits = 2 * C
 ) (
@@ -30,7 +31,7 @@ module plane_setup #(
   input  logic                  offset_i,        // product adds to the numerator of the edge's start
   input  logic                  first_i,         // it does not add to what was there
   input  logic                  less_i,          // it is subtracted
-  input  logic                  high_i,          // it counts 2^(C-1) times
+  input  logic                  high_i,          // it counts 2^(C-1) times: after those that do not
   input  logic                  start_i,         // gradients are there: begin with the steps
   input  logic                  offset_ready_i,  // the numerator is there, held until taken
   output logic                  offset_taken_o,
@@ -53,7 +54,8 @@ module plane_setup #(
   // ---- Sums ----
   // The numerator's register adds up |gradient x| + |gradient y| too, for the rise.
   logic [G-1:0] gradient_x_q, gradient_y_q, gradient_from, gradient_sum, product_g, steep;
-  logic [P-1:0] offset_q, offset_from, offset_more, product_p;
+  logic [P-1:0] offset_q;
+  logic [W-1:0] offset_from, offset_more, offset_sum;
   logic         steep_x, steep_y_q, steep_less;
   assign gradient_x_o  = gradient_x_q;
   assign gradient_y_o  = gradient_y_q;
@@ -63,13 +65,16 @@ module plane_setup #(
   assign steep_x       = start_i && farthest_i;
   assign steep         = steep_x ? gradient_x_q : gradient_y_q;
   assign steep_less    = !offset_i && steep[G-1];
-  assign product_p     = {{(P-2*C-2){product_i[2*C+1]}}, product_i};
-  assign offset_from   = first_i || steep_x ? '0 : offset_q;
-  assign offset_more   = !offset_i ? P'($signed(steep ^ {G{steep_less}})) : high_i ? product_p << (C - 1) : product_p;
+  assign offset_from   = first_i || steep_x ? '0 : high_i ? W'($signed(offset_q[P-1:C-1])) : offset_q[W-1:0];
+  assign offset_more   = offset_i ? product_i : W'($signed(steep ^ {G{steep_less}}));
+  assign offset_sum    = offset_from + offset_more + W'(steep_less);
   always_ff @(posedge clk_i) begin
     if (gradient_x_i) gradient_x_q <= gradient_sum;
     if (gradient_y_i) gradient_y_q <= gradient_sum;
-    if (offset_i || steep_x || steep_y_q) offset_q <= offset_from + offset_more + P'(steep_less);
+    if (offset_i || steep_x || steep_y_q) begin
+      if (offset_i && high_i) offset_q[P-1:C-1] <= offset_sum[P-C:0];
+      else offset_q <= P'($signed(offset_sum));
+    end
   end
 
   // ---- Divisions ----

@@ -104,8 +104,17 @@ module plane_walk #(
   assign whole_step = load_q ? WholeBits'(depth_i)
                     : ({1'b0, move_x_q ? x_whole_i[WholeBits-2:DepthBits] : y_whole_i[WholeBits-2:DepthBits], low_step}
                        ^ {WholeBits{inverse_q}}) & {WholeBits{move_q}};
+  // Its upper half with either carry, so that the sum is no longer than the rest's.
+  localparam int unsigned Half = WholeBits / 2;
+  localparam int unsigned U    = WholeBits - Half;
+  logic [Half:0]  lower;
+  logic [U-1:0]   upper, upper_one;
+  assign lower     = {1'b0, whole_from[Half-1:0]} + {1'b0, whole_step[Half-1:0]}
+                   + (Half + 1)'(move_q && !load_q && !rest_q[R-1]);
+  assign upper     = whole_from[WholeBits-1:Half] + whole_step[WholeBits-1:Half];
+  assign upper_one = whole_from[WholeBits-1:Half] + whole_step[WholeBits-1:Half] + 1'b1;
   always_ff @(posedge clk_i) begin
-    if (ready_i) whole_q <= whole_from + whole_step + WholeBits'(move_q && !load_q && !rest_q[R-1]);
+    if (ready_i) whole_q <= {lower[Half] ? upper_one : upper, lower[Half-1:0]};
   end
   assign whole_o      = whole_q;
   assign next_whole_o = whole_q[DepthBits-1:0] + (x_whole_i[DepthBits-1:0] ^ {DepthBits{x_less_i}})

@@ -5,7 +5,7 @@
 //          take_i comes every other cycle at most.
 module two_pass_multiplier #(
   parameter int unsigned ABits = 29,
-  parameter int unsigned BBits = 29
+  parameter int unsigned BBits = 29   // odd
 ) (
   input  logic                   clk_i,
   input  logic                   take_i,
@@ -14,14 +14,14 @@ module two_pass_multiplier #(
   output logic [ABits+BBits-1:0] product_o
 );
   localparam int unsigned Low  = BBits / 2;
-  localparam int unsigned High = BBits - Low;
+  localparam int unsigned High = BBits - Low;  // more than Low
   localparam int unsigned P    = ABits + BBits;
   logic                     high_q;  // b's high half comes first
   logic signed [ABits-1:0]  a_q;
   logic        [BBits-1:0]  b_q;
-  logic signed [High:0]     half;
+  logic signed [High-1:0]   half;
   logic signed [P-1:0]      product_q, high_part;
-  assign half      = high_q ? $signed({b_q[BBits-1], b_q[BBits-1:Low]}) : $signed((High + 1)'(b_q[Low-1:0]));
+  assign half      = high_q ? $signed(b_q[BBits-1:Low]) : $signed(High'(b_q[Low-1:0]));
   assign high_part = high_q ? '0 : product_q <<< Low;
   assign product_o = product_q;
   always_ff @(posedge clk_i) begin
