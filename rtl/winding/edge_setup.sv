@@ -74,6 +74,7 @@ module edge_setup #(
   logic [C-1:0] du_q, dv_q;
   logic         x_positive_q;
 
+  logic take;  // the offsets
   // ---- One coordinate after the other: texel, place in it, the same rounded ----
   logic         is_u, is_to, zero, at_end;
   logic [C:0]   coordinate, signed_x;
@@ -99,7 +100,9 @@ module edge_setup #(
   logic [T-1:0] first_u_q, first_v_q, last_u_q, last_v_q;
   logic [E-1:0] from_u_q, from_v_q, to_u_q, to_v_q;
   logic         from_u_zero_q, from_v_zero_q, to_u_full_q, to_v_zero_q;
-  logic [C-2:0] within_u_q, within_v_q;  // of the end travelled from
+  // Where the end travelled from lies in its texel, then where the edge meets the next borders.
+  logic [C:0]   v_whole_q, u_whole_q;
+  logic [C-1:0] v_rest_q, u_rest_q;
   always_ff @(posedge clk_i) begin
     unique case (state_q)
       Idle: begin
@@ -111,13 +114,13 @@ module edge_setup #(
         first_u_q     <= index;
         from_u_q      <= rounded;
         from_u_zero_q <= zero;
-        within_u_q    <= place;
+        u_whole_q     <= (C+1)'(place);
       end
       FromV: begin
         first_v_q     <= index;
         from_v_q      <= rounded;
         from_v_zero_q <= zero;
-        within_v_q    <= place;
+        v_whole_q     <= (C+1)'(place);
       end
       ToU: begin
         last_u_q    <= at_end ? index - 1'b1 : index;
@@ -128,6 +131,12 @@ module edge_setup #(
         last_v_q    <= at_end ? index - 1'b1 : index;
         to_v_q      <= at_end ? {1'b1, {G{1'b0}}} : rounded;
         to_v_zero_q <= zero && !at_end;
+      end
+      Offsets: if (take) begin
+        v_whole_q <= v_whole_o;
+        v_rest_q  <= v_rest_o;
+        u_whole_q <= u_whole_o;
+        u_rest_q  <= u_rest_o;
       end
       default: ;
     endcase
@@ -156,11 +165,11 @@ module edge_setup #(
     endcase
   end
   assign factors_valid_o = wanted;
-  assign factor_a_o = {2'b0, texel} - (state_q == OffsetV ? {2'b0, within_u_q}
-                                     : state_q == OffsetU ? {2'b0, within_v_q} : '0);
+  assign factor_a_o = {2'b0, texel} - (state_q == OffsetV ? u_whole_q
+                                     : state_q == OffsetU ? v_whole_q : '0);
   assign factor_b_o = along_u ? dv_q : du_q;
 
-  logic         start_v, start_u, done_v, done_u, take, stop;
+  logic         start_v, start_u, done_v, done_u, stop;
   logic         ready_v, ready_u;
   logic [C:0]   quotient_v, quotient_u;
   logic [C-1:0] remainder_v, remainder_u;
@@ -174,8 +183,6 @@ module edge_setup #(
     .divisor_i(dv_q), .valid_o(done_u), .ready_i(take), .quotient_o(quotient_u), .remainder_o(remainder_u));
 
   logic         offsets_done, steps_done;
-  logic [C:0]   v_whole_q, u_whole_q;
-  logic [C-1:0] v_rest_q, u_rest_q;
   assign offsets_done = state_q == Offsets && (done_v || !any_u) && (done_u || !any_v);
   assign steps_done   = state_q == Steps && (done_v || !more_u) && (done_u || !more_v);
   assign valid_o      = (offsets_done && !more_u && !more_v) || steps_done;
@@ -200,15 +207,6 @@ module edge_setup #(
       `CHECK(numerator_fits, !(start_v || start_u) || !product_i[2*C-1])
     end
   end
-  always_ff @(posedge clk_i) begin
-    if (offsets_done) begin
-      v_whole_q <= v_whole_o;
-      v_rest_q  <= v_rest_o;
-      u_whole_q <= u_whole_o;
-      u_rest_q  <= u_rest_o;
-    end
-  end
-
   assign x_positive_o  = x_positive_q;
   assign on_border_o   = (du_q == '0 && from_u_zero_q) || (dv_q == '0 && from_v_zero_q);
   assign first_u_o     = first_u_q;
@@ -223,9 +221,9 @@ module edge_setup #(
   assign to_v_o        = to_v_q;
   assign to_u_full_o   = to_u_full_q;
   assign to_v_zero_o   = to_v_zero_q;
-  assign v_whole_o     = state_q == Steps ? v_whole_q : quotient_v + (C+1)'(within_v_q);
+  assign v_whole_o     = state_q == Steps ? v_whole_q : quotient_v + v_whole_q;
   assign v_rest_o      = state_q == Steps ? v_rest_q : remainder_v;
-  assign u_whole_o     = state_q == Steps ? u_whole_q : quotient_u + (C+1)'(within_u_q);
+  assign u_whole_o     = state_q == Steps ? u_whole_q : quotient_u + u_whole_q;
   assign u_rest_o      = state_q == Steps ? u_rest_q : remainder_u;
   assign v_step_o      = quotient_v[C-1:0];
   assign v_step_rest_o = remainder_v;
