@@ -142,7 +142,7 @@ module front (
   logic [R-1:0] walk_at_x, walk_at_y;
   shadow_pkg::line_t line;
   logic [D-1:0] nearest, entry;
-  assign line.polygon = polygon_q;
+  assign line.polygon = '0;  // a cycle later
   edge_walker walker (
     .clk_i, .rst_ni, .clear_i, .texel_bits_i(settings_i.texel_bits),
     .edge_valid_i(take), .edge_ready_o(edge_ready), .index_i(edge_index), .left_i(left), .x_major_i(x_major),
@@ -225,6 +225,7 @@ module front (
   assign {visit.depth0, visit.depth1, visit.depth2, visit.depth3} = '0;  // a cycle later
   always_comb begin
     visit_o        = visit_q;
+    visit_o.line.polygon = polygon_q;
     visit_o.depth0 = visit_q.kind == shadow_pkg::VisitSpan ? word_depth[D-1:0] : centre;
     visit_o.depth1 = word_depth[D +: D];
     visit_o.depth2 = word_depth[2*D +: D];

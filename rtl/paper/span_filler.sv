@@ -53,7 +53,6 @@ module span_filler #(
   logic                anchor_due_q;  // its whole part comes
   logic                reload_q;   // the ramp is elsewhere: at the anchor is where to go on from
   logic                in_gap_q;   // in the gap
-  logic [L*D-1:0]      depth_q;
   logic [L-1:0]        mask_q;
 
   logic at_row, at_from, at_to, in_gap, last, pair, step;
@@ -81,11 +80,19 @@ module span_filler #(
   assign gap_ready_o  = ready_i && in_gap && last;
   assign x_o = {x_q[M-1:LaneBits], {LaneBits{1'b0}}};
   assign y_o = y_q[M-1:0];
-  logic [L-1:0] here, next, here_q, next_q;  // what goes to which lane
+  // What goes to which lane. A word's last two texels leave as they come, or one alone as the gap ends.
+  logic [L-1:0] here, next, next_q;
+  logic [L-3:0] here_q;
   for (genvar i = 0; i < L; i++) begin : g_lane
-    assign here[i]    = in_gap && lane == LaneBits'(i);
-    assign next[i]    = in_gap && pair && (lane | LaneBits'(1)) == LaneBits'(i);
-    assign depth_o[i*D +: D] = here_q[i] ? whole_i : next_q[i] ? next_whole_i : depth_q[i*D +: D];
+    assign here[i] = in_gap && lane == LaneBits'(i);
+    assign next[i] = in_gap && i % 2 == 1 && pair && (lane | LaneBits'(1)) == LaneBits'(i);
+    if (i >= L - 2) begin : g_last
+      assign depth_o[i*D +: D] = next_q[i] ? next_whole_i : whole_i;
+    end else begin : g_kept
+      logic [D-1:0] depth_q;
+      assign depth_o[i*D +: D] = here_q[i] ? whole_i : next_q[i] ? next_whole_i : depth_q;
+      always_ff @(posedge clk_i) if (ready_i) depth_q <= depth_o[i*D +: D];
+    end
   end
   assign mask_o = here | next | mask_q;
 
@@ -116,9 +123,8 @@ module span_filler #(
     if (ready_i) begin
       anchor_due_q <= anchor;
       if (anchor_due_q) anchor_whole_q <= whole_i;
-      here_q  <= here;
-      next_q  <= next;
-      depth_q <= depth_o;
+      here_q <= here[L-3:0];
+      next_q <= next;
     end
     if (step) begin
       x_q <= !move_x_o ? x : back_o ? x - 1'b1 : x + (two_o ? R'(2) : R'(1));
