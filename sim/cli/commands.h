@@ -14,6 +14,7 @@ void add_stress(CLI::App& app);
 void add_numerics(CLI::App& app);
 void add_curve(CLI::App& app);
 void add_gates(CLI::App& app);
+void add_netlist(CLI::App& app);
 void add_mutate(CLI::App& app);
 void add_prove(CLI::App& app);
 void add_rtl(CLI::App& app);

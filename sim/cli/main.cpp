@@ -79,6 +79,7 @@ int run_program(int argc, char** argv) {
   add_numerics(app);
   add_curve(app);
   add_gates(app);
+  add_netlist(app);
   add_mutate(app);
   add_prove(app);
   add_rtl(app);

@@ -1,6 +1,7 @@
 #pragma once
 /// The blocks that faults are put into, and the tests whose stimulus has to find them.
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace kagesen {
@@ -10,6 +11,8 @@ struct MutationBlock {
   std::string test;  ///< target of tests/rtl
   std::string dut;   ///< what it verilates
   unsigned mutants;  ///< by default
+  /// Outputs that mean something only while another one is high, where their names do not say so.
+  std::vector<std::pair<std::string, std::string>> qualifiers = {};
 };
 const std::vector<MutationBlock>& mutation_blocks();
 

@@ -24,7 +24,7 @@ constexpr double kYosysLimitS = 3600;
 struct Inputs {
   CellLibrary library;
   std::vector<std::string> sources;
-  std::string package, flow, abc, timing, yosys, sta, tools;
+  std::string package, parameters, flow, abc, timing, yosys, sta, tools;
   std::string key() const;
   std::string script_hash() const {
     return ContentKey().add("flow", flow).add("abc", abc).add("timing", timing).hex().substr(0, 12);
@@ -34,6 +34,7 @@ struct Inputs {
 std::string Inputs::key() const {
   ContentKey key;
   key.add("version", "1").add("package", package).add("scripts", script_hash()).add("tools", tools);
+  key.add("parameters", parameters);
   key.add("liberty", read_file(library.liberty)).add("ram", read_file(ram_file()));
   key.add("assumed", fmt::format("{} {} {}", kRamAccessNs, kRamSetupNs, kTargetMhz));
   for (const std::string& file : sources) key.add("source", read_file(file));
@@ -49,8 +50,14 @@ Inputs inputs_of(const UnitConfig& config, const GateOptions& options) {
   find_tool("berkeley-abc", "berkeley-abc");
   in.tools = fmt::format("{}; OpenSTA {}", tool_version(in.yosys, {"-V"}),
                          tool_version(in.sta, {"-version"}));
-  in.package = with_package_sets(shadow_package(config), options.package_sets);
-  in.sources = RtlSources(config.profile).of(options.top);
+  in.sources = options.sources;
+  if (in.sources.empty()) {
+    in.package = with_package_sets(shadow_package(config), options.package_sets);
+    in.sources = RtlSources(config.profile).of(options.top);
+  }
+  for (const auto& [name, value] : options.parameters) {
+    in.parameters += fmt::format(" -chparam {} {}", name, value);
+  }
   in.flow = fmt::format("# {}\n", options.top) + read_file(scripts + "synthesis.ys.in") +
             (options.flatten ? "# flattened\n" : "");
   in.abc = read_file(options.abc.empty() ? scripts + "abc.script" : options.abc);
@@ -78,8 +85,10 @@ void run_yosys(const Inputs& in, const GateOptions& options, CacheEntry& entry) 
                 {"LIBERTY", in.library.liberty},
                 {"INCLUDE", common_folder()},
                 {"RAM", ram_file()},
-                {"SOURCES", fmt::format("shadow_pkg.sv {}", fmt::join(in.sources, " "))},
+                {"SOURCES", fmt::format("{} {}", in.package.empty() ? "" : "shadow_pkg.sv",
+                                        fmt::join(in.sources, " "))},
                 {"FLATTEN", options.flatten ? "flatten" : ""},
+                {"PARAMETERS", in.parameters},
                 {"ABC", "abc.script"},
                 {"PERIOD_PS", fmt::format("{:.0f}", 1e6 / kTargetMhz)}});
   write_file(folder / "synthesis.ys", script);

@@ -22,6 +22,10 @@ struct GateOptions {
   bool flatten = false;  ///< before mapping; then there is only one block
   /// What the package is changed in, as "Name=value" of its own constants; for what no key sets.
   std::vector<std::string> package_sets;
+  /// Of a block that stands alone: its parameters, and its files instead of the tree's, the package
+  /// among them.
+  std::vector<std::pair<std::string, std::string>> parameters;
+  std::vector<std::string> sources;
 };
 
 struct MemoryReport {

@@ -1,0 +1,166 @@
+#include "testbench/mutation/netlist.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <sstream>
+
+#include "testbench/synthesis/cell_library.h"
+#include "testbench/synthesis/gates.h"
+#include "testbench/tools/cache.h"
+#include "testbench/tools/process.h"
+#include "testbench/tools/rtl_sources.h"
+#include "testbench/tools/template.h"
+#include "traces/format/error.h"
+
+namespace kagesen {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One output: where it stands and the bit that says whether it means something.
+struct Field {
+  unsigned low, width;
+  int valid = -1;  ///< bit of the outputs; -1: always compared
+};
+
+bool ends_with(const std::string& word, const std::string& end) {
+  return word.size() >= end.size() && word.compare(word.size() - end.size(), end.size(), end) == 0;
+}
+
+/// The name of the valid that data `name` belongs to, or "": that of the longest common prefix.
+std::string valid_of(const std::string& name, const Recording& recording,
+                     const MutationBlock& block) {
+  for (const auto& [data, valid] : block.qualifiers) {
+    if (data == name) return valid;
+  }
+  std::string found;
+  if (ends_with(name, "valid_o") || ends_with(name, "ready_o")) return found;
+  for (const Recording::Pin& pin : recording.outputs) {
+    if (!ends_with(pin.name, "valid_o")) continue;
+    const std::string prefix = pin.name.substr(0, pin.name.size() - 7);
+    if (name.compare(0, prefix.size(), prefix) == 0 && pin.name.size() > found.size())
+      found = pin.name;
+  }
+  return found;
+}
+
+std::vector<Field> fields_of(const Recording& recording, const MutationBlock& block) {
+  std::map<std::string, unsigned> lows;
+  unsigned low = total_width(recording.outputs);
+  for (const Recording::Pin& pin : recording.outputs) lows[pin.name] = low -= pin.width;
+  std::vector<Field> fields;
+  for (const Recording::Pin& pin : recording.outputs) {
+    Field field{lows[pin.name], pin.width, -1};
+    const std::string valid = valid_of(pin.name, recording, block);
+    // A single bit without a stream of its own is control: idle, empty.
+    const bool control = pin.width == 1 && valid == "valid_o";
+    if (!valid.empty() && !control) field.valid = static_cast<int>(lows.at(valid));
+    fields.push_back(field);
+  }
+  return fields;
+}
+
+bool bit_of(const std::string& hex, unsigned bit) {
+  const std::size_t digit = bit / 4;
+  if (digit >= hex.size()) return false;
+  const char c = hex[hex.size() - 1 - digit];
+  const unsigned value = c <= '9' ? c - '0' : c - 'a' + 10;
+  return value >> (bit % 4) & 1;
+}
+
+std::string care_of(const std::string& outputs, const std::vector<Field>& fields) {
+  std::string care(outputs.size(), '0');
+  for (const Field& field : fields) {
+    if (field.valid >= 0 && !bit_of(outputs, static_cast<unsigned>(field.valid))) continue;
+    for (unsigned bit = field.low; bit < field.low + field.width; ++bit) {
+      char& c = care[care.size() - 1 - bit / 4];
+      const unsigned value = (c <= '9' ? c - '0' : c - 'a' + 10) | 1u << (bit % 4);
+      c = "0123456789abcdef"[value];
+    }
+  }
+  return care;
+}
+
+void write_vectors(const Recording& recording, const MutationBlock& block, std::size_t most,
+                   const fs::path& file) {
+  const std::vector<Field> fields = fields_of(recording, block);
+  std::ifstream in(recording.pins);
+  std::ofstream out(file);
+  std::size_t beats = 0;
+  for (std::string line; beats < most && std::getline(in, line);) {
+    if (line == "N" || line == "R") {
+      out << "R 0 0 0\n";
+    } else if (const std::size_t gap = line.find(' '); gap != std::string::npos) {
+      out << "B " << line << ' ' << care_of(line.substr(gap + 1), fields) << '\n';
+      ++beats;
+    }
+  }
+  if (!out.flush()) throw UserError(file.string(), "cannot be written", "make room");
+}
+
+void run_or_throw(const std::string& what, const std::vector<std::string>& command,
+                  const fs::path& folder, const std::string& log_name) {
+  const std::string log = (folder / log_name).string();
+  if (run_process(command, folder.string(), log, 1800).status != 0)
+    throw UserError(what, "failed", "see " + log);
+}
+
+}  // namespace
+
+NetlistRun run_netlist(const MutationBlock& block, const std::string& library, std::size_t beats,
+                       const std::function<void(const std::string&)>& progress) {
+  const auto tell = [&](const std::string& stage) {
+    if (progress) progress(block.name + ": " + stage);
+  };
+  tell("recording " + block.test);
+  const Recording recording = record(block);
+  GateOptions options;
+  options.library = library;
+  options.top = recording.top;
+  options.parameters = recording.parameters;
+  if (!recording.package.empty()) options.sources.push_back(recording.package);
+  for (const std::string& file : recording.sources) {
+    if (file != ram_file()) options.sources.push_back(file);
+  }
+  const GateReport gates = measure_gates(UnitConfig{}, options, tell);
+  if (!gates.unmapped.empty())
+    throw UserError(block.name, "has unmapped cells", "see " + gates.folder);
+
+  const fs::path folder = cache_folder() / "netlist" / block.name;
+  fs::create_directories(folder);
+  write_vectors(recording, block, beats, folder / "vectors.txt");
+  const std::string script = read_file(source_folder() + "/testbench/synthesis/player.v.in");
+  const std::string connections = (recording.clocked ? "    .clk_i(clk),\n" : "") +
+                                  pin_connections(recording, "in", "got", "run");
+  write_file(
+      folder / "player.v",
+      fill_template(script, {{"TOP", recording.top},
+                             {"CONNECTIONS", connections},
+                             {"IN_HIGH", std::to_string(total_width(recording.inputs) - 1)},
+                             {"OUT_HIGH", std::to_string(total_width(recording.outputs) - 1)}}));
+  tell("Icarus compiles");
+  run_or_throw("Icarus Verilog on " + block.name,
+               {find_tool("iverilog", "iverilog"), "-g2012", "-s", "player", "-o", "player.vvp",
+                "player.v", gates.folder + "/netlist.v", find_cell_library(library).models,
+                source_folder() + "/testbench/synthesis/ram_1r1w.v"},
+               folder, "iverilog.log");
+  tell("Icarus plays");
+  run_or_throw("Icarus Verilog on " + block.name,
+               {find_tool("vvp", "iverilog"), "-n", "player.vvp"}, folder, "player.log");
+  NetlistRun run;
+  run.log = (folder / "player.log").string();
+  const std::string text = read_file(run.log);
+  std::smatch found;
+  if (!std::regex_search(text, found, std::regex("PLAYED (\\d+) WRONG (\\d+)"))) {
+    throw UserError("Icarus Verilog on " + block.name, "ended early", "see " + run.log);
+  }
+  run.beats = std::stoul(found[1]);
+  run.wrong = std::stoul(found[2]);
+  return run;
+}
+
+}  // namespace kagesen
