@@ -13,6 +13,7 @@ void add_results(CLI::App& app);
 void add_stress(CLI::App& app);
 void add_numerics(CLI::App& app);
 void add_curve(CLI::App& app);
+void add_cycles(CLI::App& app);
 void add_gates(CLI::App& app);
 void add_netlist(CLI::App& app);
 void add_mutate(CLI::App& app);

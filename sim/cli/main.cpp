@@ -78,6 +78,7 @@ int run_program(int argc, char** argv) {
   add_stress(app);
   add_numerics(app);
   add_curve(app);
+  add_cycles(app);
   add_gates(app);
   add_netlist(app);
   add_mutate(app);

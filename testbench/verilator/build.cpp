@@ -63,15 +63,6 @@ class Lock {
   int file_;
 };
 
-std::string hash_of(const BuildRecipe& recipe) {
-  std::string all = recipe.top + fmt::format("\n{}\n{}\n", fmt::join(recipe.verilator, " "),
-                                             fmt::join(recipe.compiler, " "));
-  for (const SourceText& s : recipe.sources) {
-    all += fmt::format("{} {}\n", s.path, s.text.size()) + s.text;
-  }
-  return fmt::format("{:016x}", XXH3_64bits(all.data(), all.size()));
-}
-
 bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
@@ -218,6 +209,15 @@ BuildRecipe bench_recipe(const UnitConfig& config, BuildKind kind) {
                      fmt::format("-DKAGESEN_WINDING={}", int(config.profile == Profile::kWinding)),
                      fmt::format("-DKAGESEN_TEXEL_BITS={}", PackageWidths(config).texel_bits)};
   return recipe;
+}
+
+std::string hash_of(const BuildRecipe& recipe) {
+  std::string all = recipe.top + fmt::format("\n{}\n{}\n", fmt::join(recipe.verilator, " "),
+                                             fmt::join(recipe.compiler, " "));
+  for (const SourceText& s : recipe.sources) {
+    all += fmt::format("{} {}\n", s.path, s.text.size()) + s.text;
+  }
+  return fmt::format("{:016x}", XXH3_64bits(all.data(), all.size()));
 }
 
 std::string build_cache_folder() {

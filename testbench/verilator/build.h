@@ -24,6 +24,8 @@ struct BuildRecipe {
   std::vector<std::string> verilator, compiler;  ///< options
 };
 BuildRecipe bench_recipe(const UnitConfig& config, BuildKind kind);
+/// 16 hex digits: what is compiled, and how.
+std::string hash_of(const BuildRecipe& recipe);
 
 /// The folder of builds: $KAGESEN_CACHE, or rtl-cache in the program's build folder, or, where that
 /// is gone, ~/.cache/kagesen.
