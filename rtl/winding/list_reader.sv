@@ -38,7 +38,7 @@ module list_reader #(
   output logic                                  entry_read_o,
   output logic [shadow_pkg::SegmentCountBits-1:0] lines_read_o,
   // where a slot's list is; all 0: it has none, or that is done
-  input  logic [SlotBits-1:0]                   oldest_i,
+  input  logic [SlotBits-1:0]                   oldest_i,   // counts a cycle later
   output logic                                  waits_port_o,
   output logic                                  waits_memory_o,
   output logic                                  deciding_o
@@ -144,7 +144,8 @@ module list_reader #(
   assign lines_read_o = read ? count : '0;
 
   // ---- Where a slot is: 0 not here, 1 waits for the port, 2 for the memory, 3 is being decided -------
-  logic [Slots-1:0] low_d, low_q, high_d, high_q;
+  logic [Slots-1:0]    low_d, low_q, high_d, high_q;
+  logic [SlotBits-1:0] oldest_q;
   always_comb begin
     low_d  = low_q;
     high_d = high_q;
@@ -164,10 +165,11 @@ module list_reader #(
     end
   end
   always_ff @(posedge clk_i) begin
-    low_q  <= low_d;
-    high_q <= high_d;
+    low_q    <= low_d;
+    high_q   <= high_d;
+    oldest_q <= oldest_i;
   end
-  assign waits_port_o   = !high_q[oldest_i] && low_q[oldest_i];
-  assign waits_memory_o = high_q[oldest_i] && !low_q[oldest_i];
-  assign deciding_o     = high_q[oldest_i] && low_q[oldest_i];
+  assign waits_port_o   = !high_q[oldest_q] && low_q[oldest_q];
+  assign waits_memory_o = high_q[oldest_q] && !low_q[oldest_q];
+  assign deciding_o     = high_q[oldest_q] && low_q[oldest_q];
 endmodule

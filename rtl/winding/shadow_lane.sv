@@ -161,7 +161,8 @@ module shadow_lane (
   assign events_o.slb_lookup = list;
 
   // ---- Where cycles go ----------------------------------------------------------------------------
-  // A fragment that has no list, or not yet, is where fragments go in order.
+  // A fragment that has no list, or not yet, is where fragments go in order. No slot is free only if none
+  // left in the cycle before: the oldest one is still the one that `lists` tells of.
   always_comb begin
     if (take) cause_o = shadow_pkg::LaneFragment;
     else if (frag_ready_o) cause_o = shadow_pkg::LaneInput;

@@ -11,7 +11,7 @@
 `include "check.svh"
 module shared_reads #(
   parameter int unsigned Width     = 8,   // of what is kept of a word
-  parameter int unsigned AddrBits  = 8,   // at least twice LineBits
+  parameter int unsigned AddrBits  = 16,  // at least twice LineBits
   parameter int unsigned Words     = 32,  // under way, a power of two
   parameter int unsigned Lines     = 64,  // of the cache, a power of two
   parameter int unsigned Slots     = 64,  // fragments inside are no more
