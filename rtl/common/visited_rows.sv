@@ -46,7 +46,13 @@ module visited_rows #(
   assign x = x_i[RowIndexBits-1] ? '1
            : x_i >= RowIndexBits'(map_width_i) ? W'(map_width_i) : x_i[W-1:0];
   logic [2:0]         any_q;            // the edge visited a row
-  logic [MapBits-1:0] first_q[3], last_q[3];  // rows
+  // Rows. As vectors: synthesis would round an array up to four words.
+  logic [3*MapBits-1:0] first_rows_q, last_rows_q;
+  logic [MapBits-1:0]   first_q[3], last_q[3];
+  for (genvar e = 0; e < 3; e++) begin : g_rows
+    assign first_q[e] = first_rows_q[e*MapBits +: MapBits];
+    assign last_q[e]  = last_rows_q[e*MapBits +: MapBits];
+  end
   interval_t          open_q, open;     // of the edge and row of the last visit
   logic [1:0]         edge_q;
   logic               same_row;
@@ -70,8 +76,12 @@ module visited_rows #(
     if (visit_i) begin
       open_q <= open;
       edge_q <= edge_i;
-      last_q[edge_i] <= y_i;
-      if (!any_q[edge_i]) first_q[edge_i] <= y_i;
+      for (int e = 0; e < 3; e++) begin
+        if (edge_i == 2'(e)) begin
+          last_rows_q[e*MapBits +: MapBits] <= y_i;
+          if (!any_q[e]) first_rows_q[e*MapBits +: MapBits] <= y_i;
+        end
+      end
     end
   end
 

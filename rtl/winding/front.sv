@@ -52,7 +52,6 @@ module front (
   logic [6*C-1:0]         vertices;
   logic [3*(C+1)-1:0]     edge_dx, edge_dy;
   logic [2:0]             inner, upward, inexact;
-  shadow_pkg::visit_tri_t visit_tri, visit_tri_q;
   logic [D-1:0]           base, step_x_rest, step_y_rest, start_rest;
   logic [Depth-1:0]       step_x, step_y, start;
   logic [3*K-1:0]         corners;
@@ -62,24 +61,25 @@ module front (
     .edge_valid_i(edge_factors), .edge_a_i(edge_a), .edge_b_i(edge_b), .edge_done_o(product_done),
     .product_o(product), .area_o(has_area),
     .valid_o(tri_valid), .ready_i(tri_done), .keep_i(fill_keep), .whole_i(depth), .rest_i(rest), .vertices_o(vertices), .edge_dx_o(edge_dx), .edge_dy_o(edge_dy),
-    .inner_o(inner), .upward_o(upward), .clockwise_o(clockwise), .visit_tri_o(visit_tri), .base_o(base),
+    .inner_o(inner), .upward_o(upward), .clockwise_o(clockwise), .visit_tri_o, .base_o(base),
     .step_x_whole_o(step_x), .step_x_rest_o(step_x_rest), .step_y_whole_o(step_y),
     .step_y_rest_o(step_y_rest), .start_whole_o(start), .start_rest_o(start_rest),
     .corner_start_o(corners), .corner_inexact_o(inexact), .caster_o(events_o.caster),
     .idle_o(plane_idle));
   assign take_tri = state_q == Idle && tri_valid && out_free;
-  always_ff @(posedge clk_i) if (take_tri) visit_tri_q <= visit_tri;
 
   logic [1:0]   low;  // the lowest vertex
-  logic [T-1:0] centre_x, centre_y, low_x, low_y;
+  logic [T-1:0] centre_x, centre_y, low_x_q, low_y_q;  // low: texel
   assign low      = upward[0] && !upward[2] ? 2'd0 : upward[1] && !upward[0] ? 2'd1 : 2'd2;
   assign centre_x = T'(settings_i.map_width[M:1]);
   assign centre_y = T'(settings_i.map_height[M:1]);
-  logic [C-1:0] low_vertex_x, low_vertex_y;
-  assign low_vertex_x = vertices[2*low*C +: C];
-  assign low_vertex_y = vertices[2*low*C+C +: C];
-  assign low_x = T'($signed(low_vertex_x) >>> settings_i.texel_bits) + centre_x;
-  assign low_y = T'($signed(low_vertex_y) >>> settings_i.texel_bits) + centre_y;
+  logic [T-1:0] low_vertex_x, low_vertex_y;  // units of 2^16: f is 16 at least
+  assign low_vertex_x = T'($signed(vertices[2*low*C+16 +: C-16]));
+  assign low_vertex_y = T'($signed(vertices[2*low*C+C+16 +: C-16]));
+  always_ff @(posedge clk_i) begin
+    low_x_q <= T'($signed(low_vertex_x) >>> settings_i.texel_bits[3:0]) + centre_x;
+    low_y_q <= T'($signed(low_vertex_y) >>> settings_i.texel_bits[3:0]) + centre_y;
+  end
 
   // ---- The next edge: walked ones first ----
   logic [2:0] to_walk_q, to_pass_q, left;        // edges that are still to be set up
@@ -171,9 +171,9 @@ module front (
   logic [Depth-1:0] depth, fill_step;
   logic [D-1:0] rest, fill_step_rest;
   assign filling  = state_q == Fill;
-  assign tri_done = filling && !gaps_busy;
-  assign from_x  = load_place ? low_x : place_x_q;
-  assign from_y  = load_place ? low_y : place_y_q;
+  assign tri_done = filling && !gaps_busy && !visit_valid_o;
+  assign from_x  = load_place ? low_x_q : place_x_q;
+  assign from_y  = load_place ? low_y_q : place_y_q;
   always_ff @(posedge clk_i) begin
     if (move_x || load_place) place_x_q <= from_x + {{(T-1){move_x && move_back}}, move_x};
     if (move_y || load_place) place_y_q <= from_y + T'(move_y);
@@ -207,7 +207,7 @@ module front (
   logic [3:0]     word_mask;
   logic [2*B-1:0] pair_bases;
   span_filler filler (
-    .clk_i, .rst_ni, .clear_i, .start_i(state_q == Gaps), .start_x_i(low_x), .start_y_i(low_y),
+    .clk_i, .rst_ni, .clear_i, .start_i(state_q == Gaps), .start_x_i(low_x_q), .start_y_i(low_y_q),
     .gap_valid_i(gap_valid), .gap_ready_o(gap_ready), .gap_y_i(gap_y), .gap_from_i(gap_from), .gap_to_i(gap_to),
     .step_x_whole_i(step_x), .step_x_rest_i(step_x_rest), .base_i(base), .whole_i(depth), .rest_i(rest),
     .keep_o(fill_keep), .load_o(fill_load), .move_x_o(fill_x), .move_y_o(fill_y), .back_o(fill_back),
@@ -331,7 +331,6 @@ module front (
     visit_o        = out_q;
     visit_o.corner = out_covers_q && !visited;
   end
-  assign visit_tri_o = visit_tri_q;
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) out_valid_q <= 1'b0;
     else if (clear_i) out_valid_q <= 1'b0;

@@ -20,10 +20,11 @@ module gradient_encoder #(
   input  logic                valid_i,
   output logic                ready_o,
   input  logic [SizeBits:0]   gradient_i,  // signed
+  input  logic [shadow_pkg::DepthRange-1:0] offset_i,  // modular, with the first gradient
   output logic [shadow_pkg::GradientCodeBits-1:0] code_x_o,
   output logic [shadow_pkg::GradientCodeBits-1:0] code_y_o,
   output logic                done_o,      // both codes and the bias are there
-  output logic [shadow_pkg::DepthRange-1:0] bias_o  // modular, without a shared plane's tolerance
+  output logic [shadow_pkg::DepthRange-1:0] bias_o  // modular, with the offset
 );
   localparam int unsigned S = SumBits;
   localparam logic [2:0] Idle = 3'd0, Absolute = 3'd1, Load = 3'd2, Normalise = 3'd3, Spread = 3'd4, True = 3'd5,
@@ -36,7 +37,8 @@ module gradient_encoder #(
   logic [SizeBits:0] shift_q;     // size >> exponent, then the stored size, then how far that is off
   logic [shadow_pkg::ExponentBits-1:0] exponent_q, left_q;
   logic [shadow_pkg::GradientCodeBits-1:0] code_x_q, code_y_q;
-  // Sums over both gradients, as a ring: of sizes and 2, of stored sizes, of what rounding was off and 9.
+  // Sums over both gradients, as a ring: of sizes and 2, of stored sizes, of twice the offset, what rounding
+  // was off, and 9.
   logic [S-1:0] sum0_q, sum1_q, sum2_q, term, next;
   logic [shadow_pkg::DepthRange-1:0] bias_q;
 
@@ -115,10 +117,10 @@ module gradient_encoder #(
       Stored: shift_q <= less;
       default: ;
     endcase
-    if (clear_i) begin
+    if (taken_q == 2'd0) begin
       sum0_q <= S'(2);
       sum1_q <= '0;
-      sum2_q <= S'(9);
+      sum2_q <= S'({offset_i, 1'b0}) + S'(9);
     end else if (state_q == True || state_q == Stored || state_q == Rounding) begin
       sum0_q <= sum1_q;
       sum1_q <= sum2_q;

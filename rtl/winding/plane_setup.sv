@@ -85,8 +85,16 @@ module plane_setup #(
   logic [2:0] inner_q;
   logic [shadow_pkg::IdBits-1:0] object_q;
   shadow_pkg::point_t v0_q, v1_q, v2_q;
-  logic [C:0] ex_q[3], ey_q[3];  // edge i to i + 1
-  logic [Z:0] ez_q[3];
+  // Edge i to i + 1. As vectors: synthesis would round an array up to four words.
+  logic [3*C+2:0] edge_x_q, edge_y_q;
+  logic [3*Z+2:0] edge_z_q;
+  logic [C:0] ex[3], ey[3];
+  logic [Z:0] ez[3];
+  for (genvar i = 0; i < 3; i++) begin : g_edge
+    assign ex[i] = edge_x_q[i*(C+1) +: C+1];
+    assign ey[i] = edge_y_q[i*(C+1) +: C+1];
+    assign ez[i] = edge_z_q[i*(Z+1) +: Z+1];
+  end
   logic [C-1:0] origin_x_q, origin_y_q;
   logic [Z+2:0] origin_z_q;
   logic [C-1:0] vx[3], vy[3];
@@ -101,8 +109,8 @@ module plane_setup #(
 
   logic [2:0] up, precedes;  // vertex i is before i + 1: by y, x; by x, y, z
   for (genvar i = 0; i < 3; i++) begin : g_order
-    assign up[i] = ey_q[i] == '0 ? !ex_q[i][C] : !ey_q[i][C];
-    assign precedes[i] = ex_q[i] != '0 ? !ex_q[i][C] : ey_q[i] != '0 ? !ey_q[i][C] : !ez_q[i][Z];
+    assign up[i] = ey[i] == '0 ? !ex[i][C] : !ey[i][C];
+    assign precedes[i] = ex[i] != '0 ? !ex[i][C] : ey[i] != '0 ? !ey[i][C] : !ez[i][Z];
   end
   logic [1:0]   low_q;  // lowest vertex
   logic [C-1:0] low_x, low_y;
@@ -185,9 +193,9 @@ module plane_setup #(
   end
   always_comb begin
     unique case (a_axis_q)
-      Zz:      a_edge = {{(C-Z){ez_q[a_index_q][Z]}}, ez_q[a_index_q]};
-      2'd1:    a_edge = ey_q[a_index_q];
-      default: a_edge = ex_q[a_index_q];
+      Zz:      a_edge = {{(C-Z){ez[a_index_q][Z]}}, ez[a_index_q]};
+      2'd1:    a_edge = ey[a_index_q];
+      default: a_edge = ex[a_index_q];
     endcase
     unique case (a_kind_q)
       AEdge:            factor_a = A'($signed(a_edge));
@@ -198,7 +206,7 @@ module plane_setup #(
     endcase
     if (is_edge_q) factor_a = A'($signed(edge_a_i));
 
-    b_edge = b_axis_q ? ey_q[b_index_q] : ex_q[b_index_q];
+    b_edge = b_axis_q ? ey[b_index_q] : ex[b_index_q];
     unique case (b_kind_q)
       BEdge:     b_long = (4*Digit)'($signed(b_edge));
       BGradient: b_long = (4*Digit)'($signed(b_axis_q ? grad_y_q : grad_x_q));
@@ -285,7 +293,7 @@ module plane_setup #(
   always_comb begin
     unique case (division_q)
       DivStepX, DivStepY: div_take = encoder_ready;
-      DivStart:           div_take = full_bias_done_q && state_q == Run;
+      DivStart:           div_take = encoder_done && state_q == Run;
       default:            div_take = 1'b1;
     endcase
   end
@@ -338,8 +346,7 @@ module plane_setup #(
   assign flush = no_area || start_narrow;
   assign div_clear = flush;
 
-  logic [Depth-1:0] bias, full_bias_q;  // origin's depth, bias, and what rounds up to a step
-  logic             full_bias_done_q;
+  logic [Depth-1:0] bias, offset;  // offset: origin's depth, and what rounds up to a step
   logic         finish_start, finish_narrow;
   logic         third_due_q;  // the third vertex's depth, carried to the edge beside it, is there
   logic [Z+2:0] third_z_q;
@@ -393,9 +400,13 @@ module plane_setup #(
       end
       Differences: begin
         index_q       <= next_index;
-        ex_q[index_q] <= {vx[next_index][C-1], vx[next_index]} - {vx[index_q][C-1], vx[index_q]};
-        ey_q[index_q] <= {vy[next_index][C-1], vy[next_index]} - {vy[index_q][C-1], vy[index_q]};
-        ez_q[index_q] <= {1'b0, vz[next_index]} - {1'b0, vz[index_q]};
+        for (int i = 0; i < 3; i++) begin
+          if (index_q == 2'(i)) begin
+            edge_x_q[i*(C+1) +: C+1] <= {vx[next_index][C-1], vx[next_index]} - {vx[index_q][C-1], vx[index_q]};
+            edge_y_q[i*(C+1) +: C+1] <= {vy[next_index][C-1], vy[next_index]} - {vy[index_q][C-1], vy[index_q]};
+            edge_z_q[i*(Z+1) +: Z+1] <= {1'b0, vz[next_index]} - {1'b0, vz[index_q]};
+          end
+        end
         pc_q          <= '0;
         narrow_q      <= 1'b0;
         term_q        <= '0;
@@ -473,7 +484,7 @@ module plane_setup #(
           step_y_rest_o  <= remainder;
         end
         DivStart: begin
-          start_whole_o <= quotient[Depth-1:0] + full_bias_q;
+          start_whole_o <= quotient[Depth-1:0] + bias;
           start_rest_o  <= remainder;
         end
         default: ;
@@ -486,19 +497,16 @@ module plane_setup #(
   gradient_encoder encoder (
     .clk_i, .rst_ni, .clear_i(clear_i || flush || state_q == Differences),
     .valid_i(div_done && (division_q == DivStepX || division_q == DivStepY)), .ready_o(encoder_ready),
-    .gradient_i(quotient[F+27:0]), .code_x_o(visit_tri.gradient_x), .code_y_o(visit_tri.gradient_y),
+    .gradient_i(quotient[F+27:0]), .offset_i(offset), .code_x_o(visit_tri.gradient_x), .code_y_o(visit_tri.gradient_y),
     .done_o(encoder_done), .bias_o(bias));
-  always_ff @(posedge clk_i) begin
-    full_bias_q <= Depth'(origin_z_q) + bias + (shares_q ? Depth'(plane_tolerance_i) : '0)
-                 + Depth'((1 << shadow_pkg::PlaneStepBits) - 1);
-    full_bias_done_q <= encoder_done;
-  end
+  assign offset = Depth'(origin_z_q) + (shares_q ? Depth'(plane_tolerance_i) : '0)
+                + Depth'((1 << shadow_pkg::PlaneStepBits) - 1);
   assign visit_tri.object = object_q;
   assign visit_tri_o      = visit_tri;
   assign base_o           = den_q;
   assign vertices_o       = {vy[2], vx[2], vy[1], vx[1], vy[0], vx[0]};
-  assign edge_dx_o        = {ex_q[2], ex_q[1], ex_q[0]};
-  assign edge_dy_o        = {ey_q[2], ey_q[1], ey_q[0]};
+  assign edge_dx_o        = edge_x_q;
+  assign edge_dy_o        = edge_y_q;
   assign inner_o          = inner_q;
   assign upward_o         = up;
   assign clockwise_o      = clockwise_q;
