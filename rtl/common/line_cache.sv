@@ -1,15 +1,16 @@
-// Direct-mapped, write-through cache of memory words on chip, for the one owner of a memory in pass 1.
+// Write-through cache, direct-mapped or of two ways, of memory words on chip, for the one owner of a memory in pass 1.
 //
 // Lookup:  lookup_i in cycle n; from n + 1 on hit_o says whether data_o is the word, as of now: updates
 //          show one cycle later. A miss is fetched without being asked for. One lookup a cycle on hits.
 // Update:  a word goes to the cache and, by way of the write register, to the memory. It waits while its
 //          line is being filled, so no fill ever replaces a newer word. Fills and updates have a data
 //          memory each, and do not wait for each other.
-// Hint:    fetches a word that is absent. It waits while its line is in use, or holds a hinted word that
-//          no lookup asked for yet; that one it takes only while there is no lookup at all. Changes
-//          time, never a value. A hint that repeats the last one is dropped.
-// Lines:   an address's line is its low bits; with Fold they are XORed with all higher ones, so that
-//          the words of a column of a map, whose addresses differ by powers of two, spread too.
+// Hint:    fetches a word that is absent. It waits while its set is in use, or each of its lines holds
+//          a hinted word whose lookups did not all come yet (two are counted); such a one it takes only
+//          while there is no lookup at all. Changes time, never a value. A hint that repeats the last
+//          one is dropped.
+// Lines:   one or two a set. An address's set is its low bits; with Fold they are XORed with all higher
+//          ones, so that the words of a column of a map, whose addresses differ by powers of two, spread.
 // Memory:  tag of a read = line. A read waits while a write to its address does. After clear_i what is
 //          under way comes back and is dropped; its lines wait for that.
 `include "check.svh"
@@ -17,6 +18,7 @@ module line_cache #(
   parameter int unsigned Width    = 8,
   parameter int unsigned AddrBits = 6,
   parameter int unsigned Lines    = 4,  // a power of two, 2 or more, below 2^AddrBits; at most 2^TagBits
+  parameter int unsigned Ways     = 1,  // or 2: of a set's lines, of which a word may take either
   parameter int unsigned TagBits  = 8,
   parameter bit          Fold     = 1'b1
 ) (
@@ -53,97 +55,173 @@ module line_cache #(
   output logic [Width-1:0]    wr_data_o
 );
   localparam int unsigned LineBits = $clog2(Lines);
-  localparam int unsigned KeyBits  = AddrBits - LineBits;  // of an address beside its line
+  localparam int unsigned Sets     = Lines / Ways;
+  localparam int unsigned SetBits  = $clog2(Sets);
+  localparam int unsigned KeyBits  = AddrBits - SetBits;  // of an address beside its set
 
-  function automatic logic [LineBits-1:0] line_of(input logic [AddrBits-1:0] addr);
-    line_of = addr[LineBits-1:0];
+  function automatic logic [SetBits-1:0] set_of(input logic [AddrBits-1:0] addr);
+    set_of = addr[SetBits-1:0];
     if (Fold) begin
-      for (int unsigned i = LineBits; i < AddrBits; i++) begin
-        line_of[i%LineBits] = line_of[i%LineBits] ^ addr[i];
+      for (int unsigned i = SetBits; i < AddrBits; i++) begin
+        set_of[i%SetBits] = set_of[i%SetBits] ^ addr[i];
       end
     end
+  endfunction
+  // Line of a set and a way; the ways of a set stand beside each other.
+  function automatic logic [LineBits-1:0] line_of(input logic [SetBits-1:0] set, input logic way);
+    line_of = LineBits'(set);
+    if (Ways == 2) line_of = LineBits'({set, way});
+  endfunction
+  function automatic logic [SetBits-1:0] set_of_line(input logic [LineBits-1:0] line);
+    set_of_line = SetBits'(line >> (Ways - 1));
   endfunction
 
   // A line: valid and not busy: holds a word; busy: a read is under way, whose word is kept if valid.
   logic [Lines-1:0] valid_q, busy_q, valid_d, busy_d;
-  logic [Lines-1:0] updated_q, hinted_q;  // the word is in the memory of updates; nobody looked it up yet
+  logic [Lines-1:0] updated_q;           // the word is in the memory of updates
+  logic [Lines-1:0] hinted_q, again_q;   // a lookup is still to come, and another one
 
-  logic                lookup_valid_q, forward_q, raced_q, hint_valid_q, hint_raced_q, hinting_q, rd_valid_q, wr_valid_q;
+  logic                lookup_valid_q, forward_q, forward_way_q, raced_q, met_q, hint_valid_q, hint_raced_q, hinting_q;
+  logic                rd_valid_q, wr_valid_q, turn_q;  // which way the next choice among equals takes
   logic [AddrBits-1:0] lookup_q, hint_q, rd_addr_q, wr_addr_q;
+  logic [LineBits-1:0] rd_line_q;
   logic [Width-1:0]    wr_data_q;
 
   logic [AddrBits-1:0] read_addr, fill_addr;
-  logic [LineBits-1:0] read_line, lookup_line, hint_line, update_line, fill_line, rsp_line, hint_read_line;
-  logic [KeyBits-1:0]  lookup_key, hint_key;
-  logic [Width-1:0]    filled_word, updated_word;
+  logic [SetBits-1:0]  read_set, lookup_set, hint_set, update_set, hint_read_set, key_set;
+  logic [LineBits-1:0] lookup_line, hint_line, update_line, fill_line, rsp_line, key_line;
+  logic [Ways*KeyBits-1:0] lookup_keys, hint_keys;
+  logic [Ways*Width-1:0]   filled_words, updated_words;
+  logic [Width-1:0]    word;
   logic                reading, updating, keep_rsp, fill, fill_lookup, fill_hint, can_fill, hint_done, hint_free;
-  logic                key_write, moving;
-  logic [LineBits-1:0] key_line;
+  logic                key_write, moving, in_place, present, hint_again, met_now, lookup_way, lookup_free, fill_way, hint_way, done_way, update_way;
   logic [KeyBits-1:0]  key_data;
 
-  assign lookup_line = line_of(lookup_q);
-  assign hint_line   = line_of(hint_q);
-  assign update_line = line_of(update_addr_i);
-  assign rsp_line    = rsp_tag_i[LineBits-1:0];
+  assign lookup_set = set_of(lookup_q);
+  assign hint_set   = set_of(hint_q);
+  assign update_set = set_of(update_addr_i);
+  assign rsp_line   = rsp_tag_i[LineBits-1:0];
 
-  // ---- Lookup -------------------------------------------------------------------------------
-  assign hit_o   = lookup_valid_q && (forward_q || (!raced_q && valid_q[lookup_line]
-                   && !busy_q[lookup_line] && lookup_key == lookup_q[AddrBits-1:LineBits]));
-  assign data_o  = forward_q ? wr_data_q : updated_q[lookup_line] ? updated_word : filled_word;
+  // ---- Lookup: the way that holds the word; or the one it will take ----------------------------
+  always_comb begin
+    present     = 1'b0;
+    word        = '0;
+    lookup_free = 1'b0;
+    lookup_way  = Ways == 2 && turn_q;
+    // The one that no hint needs, if there is one.
+    for (int unsigned w = 0; w < Ways; w++) begin
+      if (!busy_q[line_of(lookup_set, 1'(w))] && (!lookup_free
+          || (hinted_q[line_of(lookup_set, lookup_way)] && !hinted_q[line_of(lookup_set, 1'(w))])
+          || (hinted_q[line_of(lookup_set, lookup_way)] == hinted_q[line_of(lookup_set, 1'(w))] && turn_q))) begin
+        lookup_free = 1'b1;
+        lookup_way  = 1'(w);
+      end
+    end
+    for (int unsigned w = 0; w < Ways; w++) begin
+      if (valid_q[line_of(lookup_set, 1'(w))] && lookup_keys[w*KeyBits +: KeyBits] == lookup_q[AddrBits-1:SetBits]) begin
+        present    = 1'b1;
+        lookup_way = 1'(w);
+      end
+    end
+    if (forward_q) lookup_way = forward_way_q;
+    for (int unsigned w = 0; w < Ways; w++) begin
+      if (Ways == 1 || lookup_way == 1'(w)) begin
+        word = updated_q[line_of(lookup_set, 1'(w))] ? updated_words[w*Width +: Width] : filled_words[w*Width +: Width];
+      end
+    end
+  end
+  assign lookup_line = line_of(lookup_set, lookup_way);
+  assign hit_o       = lookup_valid_q && (forward_q || (!raced_q && present && !busy_q[lookup_line]));
+  assign data_o      = forward_q ? wr_data_q : word;
   // Read again until it is there, and after each update: it may be of this word, or take its line.
   assign reading   = lookup_i || (lookup_valid_q && (!hit_o || updating));
   assign read_addr = lookup_i ? lookup_addr_i : lookup_q;
-  assign read_line = line_of(read_addr);
+  assign read_set  = set_of(read_addr);
+
+  // ---- Hint: a way that no other hint needs; while there is no lookup, any ---------------------
+  always_comb begin
+    hint_done = 1'b0;
+    done_way  = 1'b0;
+    hint_free = 1'b0;
+    hint_way  = Ways == 2 && turn_q;
+    for (int unsigned w = 0; w < Ways; w++) begin
+      if (valid_q[line_of(hint_set, 1'(w))] && hint_keys[w*KeyBits +: KeyBits] == hint_q[AddrBits-1:SetBits]
+          && !hint_raced_q) begin
+        hint_done = 1'b1;
+        done_way  = 1'(w);
+      end
+      // The lookup's set is left alone by hints: what it reads now, it will write.
+      if (!busy_q[line_of(hint_set, 1'(w))] && (!lookup_valid_q || (lookup_set != hint_set
+          && !(valid_q[line_of(hint_set, 1'(w))] && hinted_q[line_of(hint_set, 1'(w))])))
+          && !(hint_free && hint_way == turn_q)) begin
+        hint_free = 1'b1;
+        hint_way  = 1'(w);
+      end
+    end
+  end
 
   // ---- Fill: one request waits in a register --------------------------------------------------
   assign can_fill    = (!rd_valid_q || (rd_valid_o && rd_ready_i)) && !moving;
-  assign fill_lookup = can_fill && lookup_valid_q && !hit_o && !raced_q && !busy_q[lookup_line];
-  // The lookup's line is left alone by hints: what it reads now, it will write.
-  assign hint_free   = !busy_q[hint_line] && (!lookup_valid_q
-                       || (lookup_line != hint_line && !(valid_q[hint_line] && hinted_q[hint_line])));
-  assign hint_done   = valid_q[hint_line] && hint_key == hint_q[AddrBits-1:LineBits] && !hint_raced_q;
+  assign fill_lookup = can_fill && lookup_valid_q && !forward_q && !present && !raced_q && lookup_free;
   assign fill_hint   = can_fill && !fill_lookup && hint_valid_q && hint_free && !hint_done && !hint_raced_q;
   assign hint_ready_o = !hint_valid_q || hint_done || fill_hint;
   assign fill        = fill_lookup || fill_hint;
   assign fill_addr   = fill_lookup ? lookup_q : hint_q;
-  assign fill_line   = line_of(fill_addr);
+  assign fill_way    = fill_lookup ? lookup_way : hint_way;
+  assign fill_line   = line_of(set_of(fill_addr), fill_way);
+
+  assign hint_again  = hint_valid_q && hint_done;
+  assign hint_line   = line_of(hint_set, done_way);
+  assign met_now     = hit_o && !met_q;
 
   // It is read again while it waits.
-  assign hint_read_line = hint_ready_o ? line_of(hint_addr_i) : hint_line;
+  assign hint_read_set = hint_ready_o ? set_of(hint_addr_i) : hint_set;
 
   // ---- Update -------------------------------------------------------------------------------
+  // An update of the word that is looked up finds its address in place. Whether another word is there
+  // is not known: it takes way 0, and the other way gives its word up.
   assign keep_rsp       = rsp_valid_i && valid_q[rsp_line];
-  assign update_ready_o = (!wr_valid_q || wr_ready_i) && !busy_q[update_line];
+  assign in_place       = hit_o && update_addr_i == lookup_q;
+  assign update_ready_o = (!wr_valid_q || wr_ready_i)
+                          && (in_place || (!busy_q[line_of(update_set, 1'b0)] && !busy_q[line_of(update_set, 1'b1)]));
   assign updating       = update_i && update_ready_o;
+  assign moving         = updating && !in_place;
+  assign update_way     = !moving && lookup_way;
+  assign update_line    = line_of(update_set, update_way);
 
-  // An update of the word that is looked up finds its address in place.
-  assign moving     = updating && !(hit_o && update_addr_i == lookup_q);
   assign key_write  = moving || fill;
   assign key_line   = moving ? update_line : fill_line;
-  assign key_data   = moving ? update_addr_i[AddrBits-1:LineBits] : fill_addr[AddrBits-1:LineBits];
+  assign key_set    = set_of_line(key_line);
+  assign key_data   = moving ? update_addr_i[AddrBits-1:SetBits] : fill_addr[AddrBits-1:SetBits];
 
-  ram_1r1w #(.Width(Width), .Depth(Lines)) fill_ram (
-    .clk_i, .write_i(keep_rsp), .write_addr_i(rsp_line), .write_data_i(rsp_data_i),
-    .read_i(reading), .read_addr_i(read_line), .read_data_o(filled_word)
-  );
-  ram_1r1w #(.Width(Width), .Depth(Lines)) update_ram (
-    .clk_i, .write_i(updating), .write_addr_i(update_line), .write_data_i(update_data_i),
-    .read_i(reading), .read_addr_i(read_line), .read_data_o(updated_word)
-  );
-  ram_1r1w #(.Width(KeyBits), .Depth(Lines)) lookup_key_ram (
-    .clk_i, .write_i(key_write), .write_addr_i(key_line), .write_data_i(key_data),
-    .read_i(reading), .read_addr_i(read_line), .read_data_o(lookup_key)
-  );
-  ram_1r1w #(.Width(KeyBits), .Depth(Lines)) hint_key_ram (
-    .clk_i, .write_i(key_write), .write_addr_i(key_line), .write_data_i(key_data),
-    .read_i(1'b1), .read_addr_i(hint_read_line),
-    .read_data_o(hint_key)
-  );
+  for (genvar w = 0; w < Ways; w++) begin : gen_way
+    ram_1r1w #(.Width(Width), .Depth(Sets)) fill_ram (
+      .clk_i, .write_i(keep_rsp && rsp_line == line_of(set_of_line(rsp_line), 1'(w))),
+      .write_addr_i(set_of_line(rsp_line)), .write_data_i(rsp_data_i),
+      .read_i(reading), .read_addr_i(read_set), .read_data_o(filled_words[w*Width +: Width])
+    );
+    ram_1r1w #(.Width(Width), .Depth(Sets)) update_ram (
+      .clk_i, .write_i(updating && update_line == line_of(update_set, 1'(w))),
+      .write_addr_i(update_set), .write_data_i(update_data_i),
+      .read_i(reading), .read_addr_i(read_set), .read_data_o(updated_words[w*Width +: Width])
+    );
+    ram_1r1w #(.Width(KeyBits), .Depth(Sets)) lookup_key_ram (
+      .clk_i, .write_i(key_write && key_line == line_of(key_set, 1'(w))),
+      .write_addr_i(key_set), .write_data_i(key_data),
+      .read_i(reading), .read_addr_i(read_set), .read_data_o(lookup_keys[w*KeyBits +: KeyBits])
+    );
+    ram_1r1w #(.Width(KeyBits), .Depth(Sets)) hint_key_ram (
+      .clk_i, .write_i(key_write && key_line == line_of(key_set, 1'(w))),
+      .write_addr_i(key_set), .write_data_i(key_data),
+      .read_i(1'b1), .read_addr_i(hint_read_set), .read_data_o(hint_keys[w*KeyBits +: KeyBits])
+    );
+  end
 
   always_comb begin
     valid_d = valid_q;
     busy_d  = busy_q;
     if (rsp_valid_i) busy_d[rsp_line] = 1'b0;
+    if (moving && Ways == 2) valid_d[line_of(update_set, 1'b1)] = 1'b0;
     if (updating) valid_d[update_line] = 1'b1;
     if (fill) begin
       valid_d[fill_line] = 1'b1;
@@ -153,7 +231,7 @@ module line_cache #(
     if (clear_i) begin
       valid_d = '0;
       if (fill) busy_d[fill_line] = 1'b0;
-      if (rd_valid_q && !(rd_valid_o && rd_ready_i)) busy_d[line_of(rd_addr_q)] = 1'b0;
+      if (rd_valid_q && !(rd_valid_o && rd_ready_i)) busy_d[rd_line_q] = 1'b0;
     end
   end
 
@@ -166,7 +244,9 @@ module line_cache #(
       hinting_q      <= 1'b0;
       rd_valid_q     <= 1'b0;
       wr_valid_q     <= 1'b0;
+      turn_q         <= 1'b0;
     end else begin
+      turn_q  <= turn_q ^ fill;
       valid_q <= valid_d;
       busy_q  <= busy_d;
       if (clear_i) begin
@@ -190,31 +270,49 @@ module line_cache #(
   always_ff @(posedge clk_i) begin
     if (lookup_i) lookup_q <= lookup_addr_i;
     if (hint_valid_i && hint_ready_o) hint_q <= hint_addr_i;
-    hint_raced_q <= key_write && key_line == hint_read_line;
-    if (fill) rd_addr_q <= fill_addr;
+    hint_raced_q <= key_write && key_set == hint_read_set;
+    if (fill) begin
+      rd_addr_q <= fill_addr;
+      rd_line_q <= fill_line;
+    end
     if (updating) begin
       wr_addr_q <= update_addr_i;
       wr_data_q <= update_data_i;
     end
     if (reading) begin
-      forward_q <= updating && update_addr_i == read_addr;
-      raced_q   <= (updating && update_line == read_line) || (keep_rsp && rsp_line == read_line)
-                || (key_write && key_line == read_line);
+      forward_q     <= updating && update_addr_i == read_addr;
+      forward_way_q <= update_way;
+      raced_q       <= (updating && update_set == read_set) || (keep_rsp && set_of_line(rsp_line) == read_set)
+                    || (key_write && key_set == read_set);
     end
-    if (lookup_valid_q) hinted_q[lookup_line] <= 1'b0;
+    // As hints do, lookups of one word that follow each other count once.
+    if (lookup_i) met_q <= lookup_addr_i == lookup_q && (met_q || hit_o);
+    else if (hit_o) met_q <= 1'b1;
+    if (hint_again && !(met_now && hint_line == lookup_line)) begin
+      again_q[hint_line]  <= hinted_q[hint_line];
+      hinted_q[hint_line] <= 1'b1;
+    end
+    if (met_now && !(hint_again && hint_line == lookup_line)) begin
+      hinted_q[lookup_line] <= again_q[lookup_line];
+      again_q[lookup_line]  <= 1'b0;
+    end
     if (updating) begin
       updated_q[update_line] <= 1'b1;
-      hinted_q[update_line]  <= 1'b0;
+      if (moving) begin
+        hinted_q[update_line] <= 1'b0;
+        again_q[update_line]  <= 1'b0;
+      end
     end
     if (fill) begin
       updated_q[fill_line] <= 1'b0;
       hinted_q[fill_line]  <= fill_hint;
+      again_q[fill_line]   <= 1'b0;
     end
   end
 
   assign rd_valid_o = rd_valid_q && !(wr_valid_q && wr_addr_q == rd_addr_q);
   assign rd_addr_o  = rd_addr_q;
-  assign rd_tag_o   = TagBits'(line_of(rd_addr_q));
+  assign rd_tag_o   = TagBits'(rd_line_q);
   assign wr_valid_o = wr_valid_q;
   assign wr_addr_o  = wr_addr_q;
   assign wr_data_o  = wr_data_q;

@@ -177,7 +177,7 @@ module silhouette_buffer (
 
   line_cache #(
     .Width(shadow_pkg::RecordBits), .AddrBits(AddrBits), .Lines(shadow_pkg::RecordLines),
-    .TagBits(shadow_pkg::TagBits), .Fold(1'b0)  // the bucket spreads them
+    .Ways(2), .TagBits(shadow_pkg::TagBits), .Fold(1'b0)  // the bucket spreads them
   ) cache (
     .clk_i, .rst_ni, .clear_i(clear_i || (wipe_i && !wiping_q)),
     .hint_valid_i(hint_valid_i || reuse_q), .hint_ready_o,

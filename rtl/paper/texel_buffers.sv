@@ -90,7 +90,7 @@ module texel_buffers (
 
   line_cache #(
     .Width(shadow_pkg::TexelDataBits), .AddrBits(AddrBits), .Lines(shadow_pkg::TexelLines),
-    .TagBits(shadow_pkg::TagBits)
+    .Ways(2), .TagBits(shadow_pkg::TagBits)
   ) cache (
     .clk_i, .rst_ni, .clear_i(clear_i || (wipe_i && !wiping_q)),
     .hint_valid_i, .hint_ready_o, .hint_addr_i,

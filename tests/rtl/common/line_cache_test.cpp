@@ -4,6 +4,7 @@
 #include <random>
 
 #include "Vline_cache_test_dut.h"
+#include "Vline_cache_ways_dut.h"
 #include "testbench/verilator/memory.h"
 
 namespace kagesen::rtl {
@@ -11,8 +12,9 @@ namespace {
 
 constexpr unsigned kWidth = 20, kAddresses = 32;  // as CMakeLists.txt sets them; 4 lines
 
-struct Bench {
-  explicit Bench(std::uint64_t seed, const MemorySettings& settings)
+template <typename Dut>
+struct CacheBench {
+  explicit CacheBench(std::uint64_t seed, const MemorySettings& settings)
       : random(seed), memory(kWidth, settings) {
     dut.clk_i = 0;
     dut.rst_ni = 0;
@@ -42,14 +44,17 @@ struct Bench {
     dut.clk_i = 0;
     dut.eval();
   }
-  Vline_cache_test_dut dut;
+  Dut dut;
   std::mt19937_64 random;
   Memory memory;
   std::map<std::uint64_t, std::uint32_t> expected;  // newest value of each address
 };
 
+using Bench = CacheBench<Vline_cache_test_dut>;
+
 /// Random lookups, updates, hints and clears; every hit must show the newest word.
-TEST(LineCache, HitsShowTheNewestWord) {
+template <typename Dut>
+void hits_show_the_newest_word() {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     std::mt19937_64 random(seed);
     MemorySettings settings;
@@ -58,7 +63,7 @@ TEST(LineCache, HitsShowTheNewestWord) {
     settings.most_latency = settings.least_latency + random() % 40;
     settings.read_ready_percent = 20 + random() % 81;
     settings.write_ready_percent = 20 + random() % 81;
-    Bench bench(seed, settings);
+    CacheBench<Dut> bench(seed, settings);
     auto& dut = bench.dut;
     const bool clears = seed % 4 == 0;
     const unsigned spread = seed % 2 ? kAddresses : 8;
@@ -113,6 +118,9 @@ TEST(LineCache, HitsShowTheNewestWord) {
     EXPECT_GT(hits, 100u) << seed;
   }
 }
+
+TEST(LineCache, HitsShowTheNewestWord) { hits_show_the_newest_word<Vline_cache_test_dut>(); }
+TEST(LineCache, HitsShowTheNewestWordInTwoWays) { hits_show_the_newest_word<Vline_cache_ways_dut>(); }
 
 /// One lookup and update a cycle where all hit, the same word again and again included.
 TEST(LineCache, OneAWordACycleOnHits) {
