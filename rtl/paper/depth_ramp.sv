@@ -1,8 +1,9 @@
 // Depth ramp: an edge's depth at its next border along one axis.
 //
 // Twin:    EdgeSetup::major_depth and minor_depth in model/unit/edge_setup.h.
-// Numbers: depth = whole + rest / base; kept of the rest, and steps: as in plane_walk.
-// Timing:  load or advance in cycle n, the new depth in n + 1.
+// Numbers: depth = whole + rest / base; kept of the rest, and steps: as in plane_walk. The rest is one step ahead,
+//          so that the carry of the next one is there.
+// Timing:  load or advance in cycle n, the new depth in n + 1; between a load and the first advance, once ahead.
 module depth_ramp #(
   localparam int unsigned D = shadow_pkg::DepthBits,
   localparam int unsigned C = shadow_pkg::CoordBits
@@ -15,6 +16,7 @@ module depth_ramp #(
   input  logic [C-1:0] step_rest_i,
   input  logic         less_i,        // the depth falls; constant from the cycle after the load to the next one
   input  logic [C-1:0] base_i,        // as this
+  input  logic         ahead_i,
   input  logic         advance_i,
   output logic [D:0]   whole_o
 );
@@ -32,9 +34,9 @@ module depth_ramp #(
       rest_q       <= rest_i;
       step_whole_q <= step_whole_i;
       step_rest_q  <= step_rest_i;
-    end else if (advance_i) begin
-      whole_q <= whole_q + ({1'b0, step_whole_q} ^ {(D+1){less_i}}) + (D+1)'(!sum[C]);
-      rest_q  <= sum;
+    end else if (ahead_i || advance_i) begin
+      rest_q <= sum;
+      if (advance_i) whole_q <= whole_q + ({1'b0, step_whole_q} ^ {(D+1){less_i}}) + (D+1)'(!rest_q[C]);
     end
   end
   assign whole_o = whole_q;

@@ -150,8 +150,10 @@ module edge_setup #(
   assign dy_o = {dy2, dy1, dy0};
   assign low01   = z0 < z1 ? z0 : z1;
   assign high01  = z0 < z1 ? z1 : z0;
-  assign least_o = low01 < z2 ? low01 : z2;
-  assign most_o  = high01 > z2 ? high01 : z2;
+  always_ff @(posedge clk_i) begin
+    least_o <= low01 < z2 ? low01 : z2;
+    most_o  <= high01 > z2 ? high01 : z2;
+  end
 
   // ---- Edge ----
   // It goes up along y, a horizontal one up along x: from a vertex to another one.
@@ -390,7 +392,7 @@ module edge_setup #(
     end
   end
   assign minor_whole_o            = minor_quotient + (F + 3)'(into_minor_q);
-  assign depth_less_o        = dz[D];
+  always_ff @(posedge clk_i) depth_less_o <= dz[D];
   assign major_depth_whole_o = ({1'b0, major_quotient[D-1:0]} ^ {(D+1){depth_less_o}}) + {1'b0, first_depth_o};
   assign minor_depth_whole_o = ({1'b0, minor_depth_quotient[D-1:0]} ^ {(D+1){depth_less_o}}) + {1'b0, first_depth_o};
   assign major_depth_rest_o  = {1'b0, major_remainder} ^ {(C+1){depth_less_o}};

@@ -125,11 +125,11 @@ module edge_walker #(
   depth_ramp major_ramp (
     .clk_i, .load_i(take), .whole_i(major_depth_whole_i), .rest_i(major_depth_rest_i),
     .step_whole_i(major_depth_step_whole_i), .step_rest_i(major_depth_step_rest_i), .less_i(less_q), .base_i(length_q),
-    .advance_i(emit && !along_minor), .whole_o(major_depth));
+    .ahead_i(fresh_q && ready_i), .advance_i(emit && !along_minor), .whole_o(major_depth));
   depth_ramp minor_ramp (
     .clk_i, .load_i(take), .whole_i(minor_depth_whole_i), .rest_i(minor_depth_rest_i),
     .step_whole_i(minor_depth_step_whole_i), .step_rest_i(minor_depth_step_rest_i), .less_i(less_q), .base_i(rise_q),
-    .advance_i(emit && !along_major), .whole_o(minor_depth));
+    .ahead_i(fresh_q && ready_i), .advance_i(emit && !along_major), .whole_o(minor_depth));
   assign exit_depth = last ? last_depth_q : along_minor ? minor_depth[D-1:0] : major_depth[D-1:0];
   assign nearest_o  = exit_depth < entry_q ? exit_depth : entry_q;
 

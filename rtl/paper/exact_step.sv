@@ -14,12 +14,18 @@ module exact_step #(
   output logic [WholeBits-1:0] whole_o,
   output logic [RestBits-1:0]  rest_o
 );
-  logic [RestBits:0]   sum;
-  logic [RestBits+1:0] less;  // signed
-  logic                carry;
-  assign sum     = {1'b0, rest_i} + {1'b0, step_rest_i};
-  assign less    = {1'b0, sum} - {2'b0, base_i};
+  // All sums beside each other, the last one's carry selects.
+  logic [RestBits-1:0]  sum;
+  logic [RestBits+1:0]  major, less;  // less: signed, of sum - base
+  logic [WholeBits-1:0] whole;
+  logic                 carry;
+  assign sum     = rest_i + step_rest_i;
+  assign major   = {2'b0, (rest_i & step_rest_i) | ((rest_i | step_rest_i) & ~base_i)};
+  assign less    = {2'b11, rest_i ^ step_rest_i ^ ~base_i} + {major[RestBits:0], 1'b1};
   assign carry   = !less[RestBits+1];
-  assign rest_o  = carry ? less[RestBits-1:0] : sum[RestBits-1:0];
-  assign whole_o = whole_i + step_whole_i + WholeBits'(carry);
+  assign rest_o  = carry ? less[RestBits-1:0] : sum;
+  assign whole   = whole_i + step_whole_i;
+  assign whole_o = carry ? whole + 1'b1 : whole;
+  logic unused;
+  assign unused = &{1'b0, major[RestBits+1]};
 endmodule
