@@ -108,7 +108,7 @@ Timing measure_timing(const std::filesystem::path& folder, const std::string& to
                       const CellLibrary& library, const std::string& sta) {
   constexpr double kPeriodNs = 1000 / kTargetMhz;
   Sizes sizes;
-  write_file(folder / "timing.v", with_sized_rams(read_file(folder / "netlist.v"), sizes));
+  write_file(folder / "timing.v", with_sized_rams(read_file(folder / "ports_split.v"), sizes));
   write_file(folder / "rams.lib", ram_library(sizes));
   const std::string script = read_file(source_folder() + "/testbench/synthesis/timing.tcl.in");
   write_file(folder / "timing.tcl",
@@ -120,7 +120,7 @@ Timing measure_timing(const std::filesystem::path& folder, const std::string& to
   const std::string log = (folder / "timing.txt").string();
   run_process({sta, "-no_splash", "-exit", "timing.tcl"}, folder.string(), log, 600);
   const std::string text = read_file(log);
-  std::filesystem::remove(folder / "timing.v");
+  for (const char* name : {"timing.v", "ports_split.v"}) std::filesystem::remove(folder / name);
   const std::string slack = match(text, "WORST (-?[0-9.e+-]+)");
   const std::string error = match(text, "(Error[^\n]*)");
   if (slack.empty() || !error.empty()) {

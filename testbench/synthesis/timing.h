@@ -13,7 +13,7 @@ struct Timing {
   double fmax_mhz = 0;
   std::string from, to;
 };
-/// Works in `folder`, which holds netlist.v; leaves timing.txt there. Throws UserError with
+/// Works in `folder`, which holds ports_split.v, which goes; leaves timing.txt there. Throws UserError with
 /// OpenSTA's words where it refuses.
 Timing measure_timing(const std::filesystem::path& folder, const std::string& top,
                       const CellLibrary& library, const std::string& sta);
