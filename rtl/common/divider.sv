@@ -30,7 +30,6 @@ module divider #(
   localparam int unsigned H = NumeratorBits - 1 - Q;  // bits of the numerator that start as remainder
   localparam int unsigned D = DivisorBits;
   localparam int unsigned CountBits = $clog2(Q + 1);
-  localparam int unsigned R = D + 2;  // of a partial remainder with two more bits
 
   logic busy_q, done_q, negative_q;
   logic [CountBits-1:0] left_q;  // bits still to come
@@ -48,16 +47,25 @@ module divider #(
     assign head = {{(D-H){1'b0}}, magnitude[NumeratorBits-2:Q]};
   end
 
-  // Two bits one after the other.
-  logic [D:0]   upper, lower;
-  logic [R-1:0] upper_less, lower_less;
-  logic [D-1:0] upper_rest, lower_rest;
-  assign upper      = {rest_q, low_q[Q-1]};
-  assign upper_less = {1'b0, upper} - {2'b0, divisor_i};
-  assign upper_rest = upper_less[R-1] ? upper[D-1:0] : upper_less[D-1:0];
-  assign lower      = {upper_rest, low_q[Q-2]};
-  assign lower_less = {1'b0, lower} - {2'b0, divisor_i};
-  assign lower_rest = lower_less[R-1] ? lower[D-1:0] : lower_less[D-1:0];
+  // Two bits at once: the second one with the divisor taken from the first one's rest (thrice in all) or not.
+  logic [D:0]   upper;
+  logic [D+1:0] upper_less, once, thrice_sum, thrice_carry, thrice;
+  logic [D-1:0] upper_rest, lower_less, lower_rest;
+  logic         unused;
+  assign unused = &{1'b0, thrice_carry[D+1], upper_rest[D-1]};
+  logic         upper_bit, lower_bit;
+  assign upper        = {rest_q, low_q[Q-1]};
+  assign upper_less   = {1'b0, upper} - {2'b0, divisor_i};
+  assign upper_bit    = !upper_less[D+1];
+  assign once         = {1'b0, upper[D-1:0], low_q[Q-2]} - {2'b0, divisor_i};
+  assign thrice_sum   = {upper, low_q[Q-2]} ^ {1'b0, divisor_i, 1'b0} ^ {2'b0, divisor_i};
+  assign thrice_carry = ~{upper, low_q[Q-2]} & ({1'b0, divisor_i, 1'b0} | {2'b0, divisor_i})
+                      | {1'b0, divisor_i, 1'b0} & {2'b0, divisor_i};  // borrows
+  assign thrice       = thrice_sum - {thrice_carry[D:0], 1'b0};
+  assign upper_rest   = upper_bit ? upper_less[D-1:0] : upper[D-1:0];
+  assign lower_bit    = upper_bit ? !thrice[D+1] : !once[D+1];
+  assign lower_less   = upper_bit ? thrice[D-1:0] : once[D-1:0];
+  assign lower_rest   = lower_bit ? lower_less : {upper_rest[D-2:0], low_q[Q-2]};
 
   logic         skip;
   logic [D-1:0] skip_rest;
@@ -104,7 +112,7 @@ module divider #(
       left_q     <= CountBits'(Q);
     end else if (busy_q) begin
       rest_q <= skip ? skip_rest : lower_rest;
-      low_q  <= skip ? skip_low : {low_q[Q-3:0], !upper_less[R-1], !lower_less[R-1]};
+      low_q  <= skip ? skip_low : {low_q[Q-3:0], upper_bit, lower_bit};
       left_q <= skip ? left_q - CountBits'(SkipBits) : left_q - CountBits'(2);
     end
   end

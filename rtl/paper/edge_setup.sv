@@ -159,7 +159,7 @@ module edge_setup #(
   // It goes up along y, a horizontal one up along x: from a vertex to another one.
   logic         swap_q, swap, rises, x_major;
   logic [1:0]   next_vertex, from_vertex, to_vertex;
-  logic [E-1:0] edge_dx, edge_dy, difference;
+  logic [E-1:0] edge_dx, edge_dy, difference_q;
   logic [C-1:0] extent, length_q, rise_q;
   logic [D:0]   dz;
   assign next_vertex = edge_q == 2'd2 ? 2'd0 : edge_q + 1'b1;
@@ -168,10 +168,10 @@ module edge_setup #(
   assign edge_dx     = edge_q == 2'd0 ? dx0 : edge_q == 2'd1 ? dx1 : dx2;
   assign edge_dy     = edge_q == 2'd0 ? dy0 : edge_q == 2'd1 ? dy1 : dy2;
   assign swap        = edge_dy[E-1] || (edge_dy == '0 && edge_dx[E-1]);
-  assign difference  = pc_q == PcEdge ? edge_dx : edge_dy;
-  assign extent      = (difference[C-1:0] ^ {C{difference[E-1]}}) + C'(difference[E-1]);
+  assign extent      = (difference_q[C-1:0] ^ {C{difference_q[E-1]}}) + C'(difference_q[E-1]);
   assign x_major     = length_q > rise_q;
   always_ff @(posedge clk_i) begin
+    difference_q <= pc_q == PcEdge && !second_q ? edge_dx : edge_dy;
     if (pc_q == PcEdge) begin
       swap_q       <= swap;
       x_positive_o <= edge_dx == '0 || edge_dx[E-1] == swap;

@@ -80,11 +80,12 @@ module edge_walker #(
   logic [D-1:0] entry_q, last_depth_q;
 
   // ---- How the texel is left (Table 2) ----
-  logic [W-1:0] texel;
+  logic [W-1:0] texel, units;
   logic         last, along_major, vertex, along_minor, take, emit;
   assign texel       = W'(1) << texel_bits_i;
   assign last        = x_q == last_x_q && y_q == last_y_q;
-  assign along_major = $signed(far_q) < $signed(texel);
+  assign units       = texel - 1'b1;
+  assign along_major = far_q[W-1] || (far_q & ~units) == '0;
   assign vertex      = far_q == texel && far_rest_q == '0;
   assign along_minor = !along_major && !vertex;
 

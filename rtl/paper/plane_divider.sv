@@ -32,16 +32,25 @@ module plane_divider #(
   logic [D-1:0]        rest_q;
   logic [N-1:0]        low_q;  // numerator's bits that are left, above the quotient's that have come
 
-  // Two bits one after the other.
-  logic [D:0]   upper, lower;
-  logic [D+1:0] upper_less, lower_less;
-  logic [D-1:0] upper_rest, lower_rest;
-  assign upper      = {rest_q, low_q[N-1]};
-  assign upper_less = {1'b0, upper} - {2'b0, divisor_i};
-  assign upper_rest = upper_less[D+1] ? upper[D-1:0] : upper_less[D-1:0];
-  assign lower      = {upper_rest, low_q[N-2]};
-  assign lower_less = {1'b0, lower} - {2'b0, divisor_i};
-  assign lower_rest = lower_less[D+1] ? lower[D-1:0] : lower_less[D-1:0];
+  // Two bits at once: the second one with the divisor taken from the first one's rest (thrice in all) or not.
+  logic [D:0]   upper;
+  logic [D+1:0] upper_less, once, thrice_sum, thrice_carry, thrice;
+  logic [D-1:0] upper_rest, lower_less, lower_rest;
+  logic         unused;
+  assign unused = &{1'b0, thrice_carry[D+1], upper_rest[D-1]};
+  logic         upper_bit, lower_bit;
+  assign upper        = {rest_q, low_q[N-1]};
+  assign upper_less   = {1'b0, upper} - {2'b0, divisor_i};
+  assign upper_bit    = !upper_less[D+1];
+  assign once         = {1'b0, upper[D-1:0], low_q[N-2]} - {2'b0, divisor_i};
+  assign thrice_sum   = {upper, low_q[N-2]} ^ {1'b0, divisor_i, 1'b0} ^ {2'b0, divisor_i};
+  assign thrice_carry = ~{upper, low_q[N-2]} & ({1'b0, divisor_i, 1'b0} | {2'b0, divisor_i})
+                      | {1'b0, divisor_i, 1'b0} & {2'b0, divisor_i};  // borrows
+  assign thrice       = thrice_sum - {thrice_carry[D:0], 1'b0};
+  assign upper_rest   = upper_bit ? upper_less[D-1:0] : upper[D-1:0];
+  assign lower_bit    = upper_bit ? !thrice[D+1] : !once[D+1];
+  assign lower_less   = upper_bit ? thrice[D-1:0] : once[D-1:0];
+  assign lower_rest   = lower_bit ? lower_less : {upper_rest[D-2:0], low_q[N-2]};
 
   logic         skip;
   logic [D-1:0] skip_rest;
@@ -79,7 +88,7 @@ module plane_divider #(
       left_q <= pairs_i;
     end else if (busy_q) begin
       rest_q <= skip ? skip_rest : lower_rest;
-      low_q  <= skip ? {low_q[N-1-Skip:0], {Skip{1'b0}}} : {low_q[N-3:0], !upper_less[D+1], !lower_less[D+1]};
+      low_q  <= skip ? {low_q[N-1-Skip:0], {Skip{1'b0}}} : {low_q[N-3:0], upper_bit, lower_bit};
       left_q <= left_q - (skip ? PairBits'(Skip / 2) : PairBits'(1));
     end
   end
