@@ -77,13 +77,17 @@ module crossing (
   end
 
   // 3: the answer
-  logic [SideBits-1:0] distance;
-  logic                counts, against;
+  logic signed [SideBits+1:0] twice, most, above, below;
+  logic                       counts, against;
   assign counts    = level2_q && (side_q == '0 || side_q[SideBits-1] == rises2_q);
   // A crossing segment that rises has its inside right of it where the border has it below: it cancels
   // what the border counted. One that falls does not count there as well.
   assign against   = crosses2_q && rises2_q;
   assign winding_o = !(counts ? !against : border2_q) ? 2'sd0 : positive2_q ? 2'sd1 : -2'sd1;
-  assign distance  = side_q[SideBits-1] ? -side_q : side_q;
-  assign near_o    = boxed2_q && (distance << 1) <= (SideBits'(size2_q) << Below);
+  // Both bounds at once, rather than one after a negation.
+  assign twice     = (SideBits + 2)'(side_q) <<< 1;
+  assign most      = $signed((SideBits + 2)'(size2_q) << Below);
+  assign above     = most - twice;
+  assign below     = most + twice;
+  assign near_o    = boxed2_q && !above[SideBits+1] && !below[SideBits+1];
 endmodule
