@@ -29,9 +29,7 @@ module plane_setup #(
   // triangles
   input  logic                   tri_valid_i,
   output logic                   tri_ready_o,
-  /* verilator lint_off UNUSEDSIGNAL */ // the polygon's number is the paper profile's
   input  shadow_pkg::tri_t       tri_i,
-  /* verilator lint_on UNUSEDSIGNAL */
   // products for edge_setup
   input  logic                   edge_valid_i,   // with its factors, until it is done
   input  logic [C:0]             edge_a_i,       // signed
@@ -68,175 +66,91 @@ module plane_setup #(
   localparam int unsigned NumeratorBits = 83;
   // Twice an area of so many bits or more is never that of a narrow triangle.
   localparam int unsigned SmallBits = (D + 2 * (shadow_pkg::MaxFraction - F) - 3) / 2;
-  // A narrow one has 16 area^2 <= length^2 r^2, r = 2^(f-F). Both sides are taken times 2^(2 Scale), and the
-  // power of two on the right comes in digits of plane_sums and one factor.
   localparam int unsigned Digit      = 15;
   localparam int unsigned A          = 31;
-  localparam int unsigned Scale      = F <= 3 ? (F > 1 ? F - 1 : 0) : F > 8 ? F - 8 : 0;
-  localparam int unsigned RadiusLess = 2 * F + (F <= 3 ? 2 : 1) * Digit - 2 * Scale;
   localparam int unsigned SumBits    = A + Digit + 2 + 3 * Digit;
 
   // ---- The triangle ----
   localparam logic [2:0] Idle = 3'd0, Differences = 3'd1, Run = 3'd2, Judge = 3'd3,
                          Done = 3'd4;
   logic [2:0] state_q;
-  logic [1:0] index_q;  // of the vertex whose edge is computed
-  logic       is_plane_q, shares_q;
-  logic [2:0] inner_q;
-  logic [shadow_pkg::IdBits-1:0] object_q;
-  shadow_pkg::point_t v0_q, v1_q, v2_q;
-  // Edge i to i + 1. As vectors: synthesis would round an array up to four words.
-  logic [3*C+2:0] edge_x_q, edge_y_q;
-  logic [3*Z+2:0] edge_z_q;
-  logic [C:0] ex[3], ey[3];
-  logic [Z:0] ez[3];
-  for (genvar i = 0; i < 3; i++) begin : g_edge
-    assign ex[i] = edge_x_q[i*(C+1) +: C+1];
-    assign ey[i] = edge_y_q[i*(C+1) +: C+1];
-    assign ez[i] = edge_z_q[i*(Z+1) +: Z+1];
-  end
-  logic [C-1:0] origin_x_q, origin_y_q;
+  logic         last_difference, is_plane, shares;
+  logic [shadow_pkg::IdBits-1:0] object;
+  logic [3*Z-1:0] depths;
+  logic [3*Z+2:0] edge_z;
+  logic [2:0]   precedes;  // vertex i is before i + 1 by x, y, z
+  logic [C-1:0] low_x, low_y, origin_x_q, origin_y_q;
   logic [Z+2:0] origin_z_q;
+  plane_triangle triangle (
+    .clk_i, .take_i(tri_valid_i && tri_ready_o), .tri_i, .differences_i(state_q == Differences),
+    .last_o(last_difference), .is_plane_o(is_plane), .shares_o(shares), .inner_o, .object_o(object),
+    .vertices_o, .depths_o(depths), .edge_x_o(edge_dx_o), .edge_y_o(edge_dy_o), .edge_z_o(edge_z),
+    .up_o(upward_o), .precedes_o(precedes), .low_x_o(low_x), .low_y_o(low_y));
   logic [C-1:0] vx[3], vy[3];
   logic [Z-1:0] vz[3];
-  assign {vx[0], vy[0], vz[0]} = v0_q;
-  assign {vx[1], vy[1], vz[1]} = v1_q;
-  assign {vx[2], vy[2], vz[2]} = v2_q;
+  for (genvar i = 0; i < 3; i++) begin : g_vertex
+    assign vx[i] = vertices_o[2*i*C +: C];
+    assign vy[i] = vertices_o[2*i*C+C +: C];
+    assign vz[i] = depths[i*Z +: Z];
+  end
   logic [K-1:0] corner_q[3];
   logic [2:0]   inexact_q;
-  logic [1:0] next_index;
-  assign next_index = index_q == 2'd2 ? 2'd0 : index_q + 2'd1;
 
-  logic [2:0] up, precedes;  // vertex i is before i + 1: by y, x; by x, y, z
-  for (genvar i = 0; i < 3; i++) begin : g_order
-    assign up[i] = ey[i] == '0 ? !ex[i][C] : !ey[i][C];
-    assign precedes[i] = ex[i] != '0 ? !ex[i][C] : ey[i] != '0 ? !ey[i][C] : !ez[i][Z];
-  end
-  logic [1:0]   low_q;  // lowest vertex
-  logic [C-1:0] low_x, low_y;
-  always_ff @(posedge clk_i) low_q <= up[0] && !up[2] ? 2'd0 : up[1] && !up[0] ? 2'd1 : 2'd2;
-  assign low_x = vx[low_q];
-  assign low_y = vy[low_q];
-
-  // Texel, half a texel, and what lies below a texel.
-  logic [C-2:0] texel, half, below;
+  logic [C-2:0] texel, below;  // a texel, and what lies below
   assign texel = (C-1)'(1) << {1'b1, texel_bits_i[3:0]};
-  assign half  = texel >> 1;
   assign below = texel - 1'b1;
 
   // ---- The program ----
   localparam logic [4:0] PcArea = 5'd0, PcCorner1 = 5'd4, PcStepX = 5'd5, PcCorner2 = 5'd6,
                          PcSquare = 5'd10, PcStepY = 5'd11, PcEnd = 5'd13, PcNarrow = 5'd16,
                          PcNarrowDepth = 5'd19, PcNarrowEnd = 5'd20;
-  localparam logic [2:0] AEdge = 3'd0, ACorner = 3'd1, ACentre = 3'd2, ATexel = 3'd3, ARadius = 3'd4,
-                         AAreaLow = 3'd5;
-  localparam logic [1:0] BEdge = 2'd0, BGradient = 2'd1, BBest = 2'd2;
-  localparam logic [1:0] Zz = 2'd2;
   localparam logic [3:0] ToNone = 4'd0, ToArea = 4'd1, ToCorner = 4'd2, ToGradX = 4'd3, ToGradY = 4'd4,
                          ToLength = 4'd5, ToSquare = 4'd6, ToAlong = 4'd7, ToDivider = 4'd8, ToEdge = 4'd9;
   localparam logic [1:0] DivStepX = 2'd0, DivStepY = 2'd1, DivStart = 2'd2, DivNarrow = 2'd3;
   logic [4:0] pc_q, pc_next;
   logic [1:0] term_q;
-  logic [2:0] digit_q, b_digit, next_a_kind;
+  logic [2:0] digit_q, b_digit, a_kind;
   logic       last_term, last_digit, minus, by_area, b_axis;
   logic [3:0] op_to;
-  logic [1:0] op_index, next_a_axis, a_index, b_kind, b_index;
+  logic [1:0] op_index, a_axis, a_index, b_kind, b_index;
   logic [1:0] longest_q, longest_back;  // edge, and the one before it
   assign longest_back = longest_q == 2'd0 ? 2'd2 : longest_q - 2'd1;
   plane_program program_of (
     .pc_i(pc_q), .term_i(term_q), .digit_i(digit_q), .longest_i(longest_q), .last_term_o(last_term),
     .last_digit_o(last_digit), .minus_o(minus), .by_area_o(by_area), .to_o(op_to), .index_o(op_index),
-    .a_kind_o(next_a_kind), .a_axis_o(next_a_axis), .a_index_o(a_index), .b_kind_o(b_kind), .b_axis_o(b_axis),
+    .a_kind_o(a_kind), .a_axis_o(a_axis), .a_index_o(a_index), .b_kind_o(b_kind), .b_axis_o(b_axis),
     .b_index_o(b_index), .b_digit_o(b_digit));
 
   // ---- Factors ----
   logic [G-1:0]       grad_x_q, grad_y_q;
   logic [D-1:0]       den_q, best_q;  // best_q: the longest edge's square; then where the third vertex is along it
-  logic [4*Digit-1:0] area, b_long;
-  logic [C:0]         a_edge, a_from, a_to, b_edge;
-  logic [4:0]         power;
-  logic [C:0]         difference_q;
-  logic [2:0]         a_kind_q, b_digit_q;
-  logic [1:0]         a_axis_q, a_index_q, b_kind_q, b_index_q;
-  logic               b_axis_q, minus_q, by_area_q, first_q, move_q;
-  logic               is_edge_q, edge_high_q;  // a product for edge_setup
+  logic               clockwise_q;
+  logic               issue, flush, hold_q;  // hold_q: the sum is for the divider, which has not taken it
+  logic               edge_digit_q, edge_issue;  // a product for edge_setup: which digit
+  logic               sum_valid, sum_minus, sum_first, sum_move;
   logic [A-1:0]       factor_a;
   logic [Digit:0]     factor_b;
-  logic               edge_digit_q, edge_issue;
-  assign area  = (4*Digit)'(den_q) << (2 + Scale);
-  assign power = a_kind_q == ARadius ? 5'({texel_bits_i, 1'b0} - 6'(RadiusLess)) : {1'b1, texel_bits_i[3:0]};
-  // Differences, and what picks the other factors, a cycle ahead.
-  always_comb begin
-    a_to = next_a_axis[0] ? {low_y[C-1], low_y & {1'b1, ~below}} : {low_x[C-1], low_x & {1'b1, ~below}};
-    if (next_a_kind == ACentre) begin
-      a_to   = a_to | {2'b0, half};
-      a_from = next_a_axis[0] ? {origin_y_q[C-1], origin_y_q} : {origin_x_q[C-1], origin_x_q};
-    end else begin
-      a_from = next_a_axis[0] ? {vy[b_index][C-1], vy[b_index]} : {vx[b_index][C-1], vx[b_index]};
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    difference_q <= a_to - a_from;
-    a_kind_q     <= next_a_kind;
-    a_axis_q     <= next_a_axis;
-    a_index_q    <= a_index;
-    b_kind_q     <= b_kind;
-    b_axis_q     <= b_axis;
-    b_index_q    <= b_index;
-    b_digit_q    <= b_digit;
-    is_edge_q    <= edge_issue;
-    edge_high_q  <= edge_digit_q;
-    minus_q      <= minus;
-    by_area_q    <= by_area;
-    first_q      <= edge_issue ? !edge_digit_q : term_q == '0 && digit_q == '0;
-    move_q       <= edge_issue ? !edge_digit_q : last_term && !last_digit;
-  end
-  always_comb begin
-    unique case (a_axis_q)
-      Zz:      a_edge = {{(C-Z){ez[a_index_q][Z]}}, ez[a_index_q]};
-      2'd1:    a_edge = ey[a_index_q];
-      default: a_edge = ex[a_index_q];
-    endcase
-    unique case (a_kind_q)
-      AEdge:            factor_a = A'($signed(a_edge));
-      ACorner, ACentre: factor_a = A'($signed(difference_q));
-      ATexel, ARadius:  factor_a = A'(1) << power;
-      AAreaLow:         factor_a = {1'b0, area[A-2:0]};
-      default:          factor_a = A'(area[4*Digit-1:A-1]);
-    endcase
-    if (is_edge_q) factor_a = A'($signed(edge_a_i));
-
-    b_edge = b_axis_q ? ey[b_index_q] : ex[b_index_q];
-    unique case (b_kind_q)
-      BEdge:     b_long = (4*Digit)'($signed(b_edge));
-      BGradient: b_long = (4*Digit)'($signed(b_axis_q ? grad_y_q : grad_x_q));
-      BBest:     b_long = (4*Digit)'(best_q);
-      default:   b_long = area;
-    endcase
-    unique case (b_digit_q)
-      3'd0:    factor_b = {1'b0, b_long[Digit-1:0]};
-      3'd1:    factor_b = {b_kind_q == BEdge && b_edge[C], b_long[Digit +: Digit]};
-      3'd2:    factor_b = {1'b0, b_long[2*Digit +: Digit]};
-      3'd3:    factor_b = {b_kind_q == BGradient && b_long[4*Digit-1], b_long[3*Digit +: Digit]};
-      default: factor_b = '0;
-    endcase
-    if (is_edge_q) factor_b = edge_high_q ? (Digit+1)'(edge_b_i[C-1:Digit]) : {1'b0, edge_b_i[Digit-1:0]};
-  end
+  plane_factors factors (
+    .clk_i, .texel_bits_i, .vertices_i(vertices_o), .low_x_i(low_x), .low_y_i(low_y), .edge_x_i(edge_dx_o),
+    .edge_y_i(edge_dy_o), .edge_z_i(edge_z), .origin_x_i(origin_x_q), .origin_y_i(origin_y_q),
+    .grad_x_i(grad_x_q), .grad_y_i(grad_y_q), .den_i(den_q), .best_i(best_q), .clockwise_i(clockwise_q),
+    .valid_i(issue || edge_issue), .a_kind_i(a_kind), .a_axis_i(a_axis), .a_index_i(a_index),
+    .b_kind_i(b_kind), .b_axis_i(b_axis), .b_index_i(b_index), .b_digit_i(b_digit), .minus_i(minus),
+    .by_area_i(by_area), .first_i(edge_issue ? !edge_digit_q : term_q == '0 && digit_q == '0),
+    .move_i(edge_issue ? !edge_digit_q : last_term && !last_digit), .edge_i(edge_issue),
+    .edge_high_i(edge_digit_q), .edge_a_i, .edge_b_i, .valid_o(sum_valid), .a_o(factor_a), .digit_o(factor_b),
+    .minus_o(sum_minus), .first_o(sum_first), .move_o(sum_move));
 
   // ---- Sums: factors, sum ----
-  logic               issue, flush, hold_q;  // hold_q: the sum is for the divider, which has not taken it
   logic               last_issue;            // of a sum
-  logic               issue_q;
   logic [3:0]         to_next, to1_q, to2_q, to_q;
   logic [1:0]         index1_q, index2_q, op_index_q;
-  logic               clockwise_q;
   logic               edge_waits_q;          // its product is on the way
   logic [SumBits-1:0] sum;
   logic [2*C+1:0]     short_sum;             // of two digits
   plane_sums #(.ABits(A), .DigitBits(Digit), .Digits(4)) sums (
-    .clk_i, .valid_i(issue_q), .a_i(factor_a), .digit_i(factor_b),
-    .minus_i(!is_edge_q && (minus_q ^ (by_area_q && clockwise_q))), .first_i(first_q), .move_i(move_q),
-    .sum_o(sum));
+    .clk_i, .valid_i(sum_valid), .a_i(factor_a), .digit_i(factor_b), .minus_i(sum_minus), .first_i(sum_first),
+    .move_i(sum_move), .sum_o(sum));
   assign short_sum  = sum[2*Digit +: 2*C+2];
   assign product_o  = short_sum[2*C-1:0];
   assign last_issue = issue && last_term && last_digit;
@@ -245,7 +159,6 @@ module plane_setup #(
     index1_q   <= op_index;
     index2_q   <= index1_q;
     op_index_q <= index2_q;
-    issue_q    <= issue || edge_issue;
   end
   assign edge_issue = edge_valid_i && !edge_waits_q
                    && (edge_digit_q || (!hold_q && (state_q != Run || (term_q == '0 && digit_q == '0))));
@@ -273,7 +186,7 @@ module plane_setup #(
   end
 
   logic no_area;
-  assign no_area = to_q == ToArea && short_sum == '0 && !is_plane_q;
+  assign no_area = to_q == ToArea && short_sum == '0 && !is_plane;
 
   // ---- Divisions ----
   logic                    div_valid, div_ready, div_done, div_take, div_clear;
@@ -325,12 +238,12 @@ module plane_setup #(
   logic [Z-1:0] highest_01, highest;
   assign highest_01 = vz[0] > vz[1] ? vz[0] : vz[1];
   assign highest    = highest_01 > vz[2] ? highest_01 : vz[2];
-  assign last_of_plane = is_plane_q && pc_q == PcCorner1;
+  assign last_of_plane = is_plane && pc_q == PcCorner1;
   always_comb begin
     pc_next = pc_q + 5'd1;
-    if (pc_q == PcArea + 5'd1 && shares_q && !is_plane_q) pc_next = PcCorner1;
+    if (pc_q == PcArea + 5'd1 && shares && !is_plane) pc_next = PcCorner1;
     if (pc_q == PcStepX && narrow_q) pc_next = PcStepY;
-    if (pc_q == PcCorner2 && (shares_q || !small_area)) pc_next = PcStepY;
+    if (pc_q == PcCorner2 && (shares || !small_area)) pc_next = PcStepY;
   end
   // Sums that a product's factor needs, or that must stay, are waited for.
   logic in_flight;
@@ -355,7 +268,7 @@ module plane_setup #(
   assign tri_ready_o = state_q == Idle;
   assign valid_o     = state_q == Done;
   assign idle_o      = state_q == Idle;
-  assign area_o      = to_q == ToArea && !is_plane_q && !no_area;
+  assign area_o      = to_q == ToArea && !is_plane && !no_area;
   assign caster_o    = tri_valid_i && tri_ready_o && !tri_i.is_plane;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -370,7 +283,7 @@ module plane_setup #(
     end else begin
       unique case (state_q)
         Idle: if (tri_valid_i) state_q <= Differences;
-        Differences: if (index_q == 2'd2) state_q <= Run;
+        Differences: if (last_difference) state_q <= Run;
         Run: begin
           if (no_area || (last_of_plane && !in_flight)) state_q <= Idle;
           else if (last_issue && pc_q == PcSquare) state_q <= Judge;
@@ -388,30 +301,12 @@ module plane_setup #(
   end
   always_ff @(posedge clk_i) begin
     unique case (state_q)
-      Idle: if (tri_valid_i) begin
-        is_plane_q <= tri_i.is_plane;
-        shares_q   <= tri_i.shares;
-        inner_q    <= tri_i.inner;
-        object_q   <= tri_i.object[shadow_pkg::IdBits-1:0];
-        v0_q       <= tri_i.v0;
-        v1_q       <= tri_i.v1;
-        v2_q       <= tri_i.v2;
-        index_q    <= 2'd0;
-      end
       Differences: begin
-        index_q       <= next_index;
-        for (int i = 0; i < 3; i++) begin
-          if (index_q == 2'(i)) begin
-            edge_x_q[i*(C+1) +: C+1] <= {vx[next_index][C-1], vx[next_index]} - {vx[index_q][C-1], vx[index_q]};
-            edge_y_q[i*(C+1) +: C+1] <= {vy[next_index][C-1], vy[next_index]} - {vy[index_q][C-1], vy[index_q]};
-            edge_z_q[i*(Z+1) +: Z+1] <= {1'b0, vz[next_index]} - {1'b0, vz[index_q]};
-          end
-        end
-        pc_q          <= '0;
-        narrow_q      <= 1'b0;
-        term_q        <= '0;
-        digit_q       <= '0;
-        if (is_plane_q || !shares_q) begin
+        pc_q     <= '0;
+        narrow_q <= 1'b0;
+        term_q   <= '0;
+        digit_q  <= '0;
+        if (is_plane || !shares) begin
           origin_x_q <= vx[0];
           origin_y_q <= vy[0];
           origin_z_q <= {3'b0, vz[0]};
@@ -447,7 +342,7 @@ module plane_setup #(
     unique case (to_q)
       ToArea: begin
         clockwise_q <= short_sum[D];
-        if (is_plane_q || !shares_q) begin
+        if (is_plane || !shares) begin
           den_q <= (short_sum[D-1:0] ^ {D{short_sum[D]}}) + D'(short_sum[D]);
         end
       end
@@ -499,16 +394,11 @@ module plane_setup #(
     .valid_i(div_done && (division_q == DivStepX || division_q == DivStepY)), .ready_o(encoder_ready),
     .gradient_i(quotient[F+27:0]), .offset_i(offset), .code_x_o(visit_tri.gradient_x), .code_y_o(visit_tri.gradient_y),
     .done_o(encoder_done), .bias_o(bias));
-  assign offset = Depth'(origin_z_q) + (shares_q ? Depth'(plane_tolerance_i) : '0)
+  assign offset = Depth'(origin_z_q) + (shares ? Depth'(plane_tolerance_i) : '0)
                 + Depth'((1 << shadow_pkg::PlaneStepBits) - 1);
-  assign visit_tri.object = object_q;
+  assign visit_tri.object = object;
   assign visit_tri_o      = visit_tri;
   assign base_o           = den_q;
-  assign vertices_o       = {vy[2], vx[2], vy[1], vx[1], vy[0], vx[0]};
-  assign edge_dx_o        = edge_x_q;
-  assign edge_dy_o        = edge_y_q;
-  assign inner_o          = inner_q;
-  assign upward_o         = up;
   assign clockwise_o      = clockwise_q;
   assign corner_start_o   = {corner_q[2], corner_q[1], corner_q[0]};
   assign corner_inexact_o = inexact_q;
