@@ -149,7 +149,8 @@ module silhouette_buffer (
   logic                 grown_q, grown_d;    // a record was allocated
   logic                 storing_q, storing_d;
   logic [LineBits-1:0]  lifted_q, lifted_d;
-  logic [AddrBits-1:0]  length_q, length_d;
+  logic [AddrBits-1:0]  length_q, length_d;  // records of the texel; Find: entries of the texel
+  logic                 more_q, more_d;      // Find: one of them has continuations
   logic [1:0]           mode_q, mode_d;
   logic                 kept_q, kept_d, covered_q, covered_d, emptying_q, emptying_d;
   logic [Texels-1:0]    todo_q, todo_d;
@@ -159,10 +160,12 @@ module silhouette_buffer (
   logic [AddrBits-1:0]  bump_q, bump_d;      // first record never used; while wiping: next to clear
   logic [LimitBits-1:0] used_q, used_d;
   logic                 wiping_q, wiping;
+  logic                 follow_q;  // the record behind one that came is to be hinted
+  logic [AddrBits-1:0]  follow_addr_q;
   logic                 reuse_q;  // the first freed record, which the next allocation reads, is to be hinted
 
   // ---- The record cache -------------------------------------------------------------------------
-  shadow_pkg::record_t record, new_record;
+  shadow_pkg::record_t record, new_record, came;
   logic                hit, record_ready, cache_idle;
   logic                lookup, lookup_end;
   logic [AddrBits-1:0] lookup_addr;
@@ -180,8 +183,8 @@ module silhouette_buffer (
     .Ways(2), .TagBits(shadow_pkg::TagBits), .Fold(1'b0)  // the bucket spreads them
   ) cache (
     .clk_i, .rst_ni, .clear_i(clear_i || (wipe_i && !wiping_q)),
-    .hint_valid_i(hint_valid_i || reuse_q), .hint_ready_o,
-    .hint_addr_i(hint_valid_i ? hint_addr_i : free_q),
+    .hint_valid_i(hint_valid_i || follow_q || reuse_q), .hint_ready_o,
+    .hint_addr_i(hint_valid_i ? hint_addr_i : follow_q ? follow_addr_q : free_q),
     .lookup_i(lookup), .lookup_end_i(lookup_end), .lookup_addr_i(lookup_addr),
     .hit_o(hit), .data_o(record),
     .update_i(wiping || (act && write && (!touch || texel_ready_i))), .update_ready_o(record_ready),
@@ -190,6 +193,7 @@ module silhouette_buffer (
     .wr_valid_o, .wr_ready_i, .wr_addr_o, .wr_data_o
   );
 
+  assign came = rsp_data_i;
   record_update update (
     .record_i(record), .fresh_i(fresh), .unused_i(unused_record || wiping),
     .texel_i({y_q, x_q}), .object_i(tri_i.object), .nearest_i(visit_i.nearest),
@@ -244,10 +248,12 @@ module silhouette_buffer (
   end
 
   // ---- One step ---------------------------------------------------------------------------------
+  logic in_limit; // with one more entry the texel holds no more records than it may
   logic restart;  // Find begins at the bucket's own record
   logic walk;     // Walk does
   logic [Texels-1:0] selected;
   assign texel_select_o = x_q[1:0];
+  assign in_limit       = !more_q && LimitBits'(length_q) < settings_i.chain_limit;
   assign selected       = Texels'(1) << x_q[1:0];
 
   always_comb begin
@@ -277,6 +283,7 @@ module silhouette_buffer (
     storing_d  = storing_q;
     lifted_d   = lifted_q;
     length_d   = length_q;
+    more_d     = more_q;
     mode_d     = mode_q;
     kept_d     = kept_q;
     covered_d  = covered_q;
@@ -416,7 +423,9 @@ module silhouette_buffer (
           end
         end else begin
           if (same_texel) begin
-            seen_d = 1'b1;
+            seen_d   = 1'b1;
+            length_d = length_q + 1'b1;
+            more_d   = more_q || record.has_more;
             if (!placed_q) begin
               if (record.nearest > visit_i.nearest) begin
                 placed_d = 1'b1;
@@ -685,7 +694,7 @@ module silhouette_buffer (
         is_own_d    = 1'b0;
         look        = 1'b1;
         look_addr   = relink_q ? entry_q : own_q;
-        state_d     = relink_q ? Scan : Length;
+        state_d     = relink_q ? Scan : in_limit ? Stored : Length;
       end
       Push: begin
         write      = 1'b1;
@@ -706,7 +715,7 @@ module silhouette_buffer (
         set_vertex  = !relink_q;
         is_own_d    = 1'b1;
         look        = !relink_q;
-        state_d     = relink_q ? PushFree : Length;
+        state_d     = relink_q ? PushFree : in_limit ? Stored : Length;
       end
       PushFree: begin
         act        = 1'b1;
@@ -901,6 +910,8 @@ module silhouette_buffer (
       push_d     = 1'b0;
       placed_d   = 1'b0;
       seen_d     = 1'b0;
+      length_d   = '0;
+      more_d     = 1'b0;
       state_d    = Find;
     end
     if (walk) begin
@@ -949,6 +960,7 @@ module silhouette_buffer (
       state_q    <= Idle;
       wiping_q   <= 1'b0;
       has_free_q <= 1'b0;
+      follow_q   <= 1'b0;
       reuse_q    <= 1'b0;
       used_q     <= '0;
     end else begin
@@ -956,13 +968,16 @@ module silhouette_buffer (
       if (clear_i || (wipe_i && !wiping_q)) begin
         state_q    <= Idle;
         has_free_q <= 1'b0;
+        follow_q   <= 1'b0;
         reuse_q    <= 1'b0;
         used_q     <= '0;
       end else begin
         if (start_i && ready_o) state_q <= Begin;
         else if (fire) state_q <= state_d;
         if (fire && state_q == Reuse) reuse_q <= record.has_more;
-        else if (hint_ready_o && !hint_valid_i) reuse_q <= 1'b0;
+        else if (hint_ready_o && !hint_valid_i && !follow_q) reuse_q <= 1'b0;
+        if (rsp_valid_i && (came.has_next || came.has_more)) follow_q <= 1'b1;
+        else if (hint_ready_o && !hint_valid_i) follow_q <= 1'b0;
         if (fire) begin
           has_free_q <= has_free_d;
           used_q     <= used_d;
@@ -978,6 +993,7 @@ module silhouette_buffer (
     if (!wiping_q) bump_q <= wipe_i ? '0 : fire ? bump_d : bump_q;
     else if (wiping && record_ready) bump_q <= bump_q + 1'b1;
     if (lookup) at_q <= lookup_addr;
+    if (rsp_valid_i && (came.has_next || came.has_more)) follow_addr_q <= came.has_next ? came.next : came.more;
     if (start_i && ready_o) begin
       kind_q  <= kind_i;
       y_q     <= y_i;
@@ -1014,6 +1030,7 @@ module silhouette_buffer (
       storing_q  <= storing_d;
       lifted_q   <= lifted_d;
       length_q   <= length_d;
+      more_q     <= more_d;
       mode_q     <= mode_d;
       kept_q     <= kept_d;
       covered_q  <= covered_d;
@@ -1024,5 +1041,5 @@ module silhouette_buffer (
   end
 
   logic unused;
-  assign unused = &{1'b0, visit_i.kind, visit_i.x, visit_i.y, settings_i, texel_i};
+  assign unused = &{1'b0, visit_i.kind, visit_i.x, visit_i.y, settings_i, texel_i, came};
 endmodule

@@ -232,8 +232,8 @@ void scene_speed(double scale, double bound) {
   EXPECT_LT(each, bound);
 }
 TEST(Store, CyclesOfAScene) {
-  scene_speed(1, 7.5);
-  scene_speed(16, 4.5);
+  scene_speed(1, 6.5);
+  scene_speed(16, 4.2);
 }
 
 }  // namespace
