@@ -25,7 +25,7 @@ module plane_ramp #(
 );
   logic [WholeBits-1:0] whole_q, from_whole, step_whole, up, up_one;
   logic [RestBits-1:0]  rest_q, from_rest, step_rest;
-  logic [RestBits+1:0]  sum, wrapped;  // signed
+  logic [RestBits+1:0]  from, step, base, carries, sum, wrapped;  // signed
   logic                 move, wraps;
 
   assign move       = move_x_i || move_y_i;
@@ -34,9 +34,17 @@ module plane_ramp #(
   assign step_whole = (move_x_i ? x_whole_i : y_whole_i) ^ {WholeBits{back_i}};
   assign step_rest  = move_x_i ? x_rest_i : y_rest_i;
 
-  assign sum     = back_i ? {2'b0, from_rest} - {2'b0, step_rest} : {2'b0, from_rest} + {2'b0, step_rest};
-  assign wrapped = back_i ? sum + {2'b0, base_i} : sum - {2'b0, base_i};
+  // Up: + step, and - base where that wraps; down: - step, and + base. Both sums side by side; of the longer
+  // one, where one of the two is inverted, the lowest carry is the 1 that this lacks.
+  assign from    = {2'b0, from_rest};
+  assign step    = {2'b0, step_rest} ^ {(RestBits+2){back_i}};
+  assign base    = {2'b0, base_i} ^ {(RestBits+2){!back_i}};
+  assign sum     = from + step + (RestBits+2)'(back_i);
+  assign carries = (from & step) | (from & base) | (step & base);
+  assign wrapped = (from ^ step ^ base) + {carries[RestBits:0], 1'b1};
   assign wraps   = back_i ? sum[RestBits+1] : !wrapped[RestBits+1];
+  logic unused;
+  assign unused = &{1'b0, carries[RestBits+1]};
 
   // Down adds ~step and 1, less the borrow; both sums are there before wraps is.
   assign up     = from_whole + step_whole;
