@@ -66,9 +66,9 @@ module edge_setup #(
 );
   localparam int unsigned G = shadow_pkg::EndBits;
   localparam logic [3:0] Idle = 4'd0, FromU = 4'd1, FromV = 4'd2, ToU = 4'd3, ToV = 4'd4,
-                         OffsetV = 4'd5, OffsetU = 4'd6, Offsets = 4'd7, StepV = 4'd8, StepU = 4'd9,
-                         Steps = 4'd10;
-  logic [3:0] state_q;
+                         OffsetV = 4'd6, OffsetU = 4'd7, Offsets = 4'd8, StepV = 4'd9,
+                         StepU = 4'd10, Steps = 4'd11;
+  logic [3:0] state_q;  // 5: the last coordinate is still on its way
 
   // ---- Extents ----
   logic [C-1:0] du_q, dv_q;
@@ -76,8 +76,9 @@ module edge_setup #(
 
   logic take;  // the offsets
   // ---- One coordinate after the other: texel, place in it, the same rounded ----
-  logic         is_u, is_to, zero, at_end;
-  logic [C:0]   coordinate, signed_x;
+  logic         is_u, is_to, is_u_q, is_to_q, zero, at_end;
+  logic [C:0]   coordinate, coordinate_q, signed_x;
+  logic [3:0]   part_q;  // the coordinate, by the state that took it
   logic [C-2:0] texel, below, place;
   logic [T-1:0] index;
   logic [E:0]   unrounded;
@@ -89,13 +90,19 @@ module edge_setup #(
                     : x_positive_q ? signed_x : -signed_x;
   assign texel      = (C-1)'(1) << {1'b1, texel_bits_i[3:0]};
   assign below      = texel - 1'b1;
-  assign place      = coordinate[C-2:0] & below;
+  always_ff @(posedge clk_i) begin
+    coordinate_q <= coordinate;
+    part_q       <= state_q;
+    is_u_q       <= is_u;
+    is_to_q      <= is_to;
+  end
+  assign place      = coordinate_q[C-2:0] & below;
   assign zero       = place == '0;
-  assign index      = T'($signed(coordinate) >>> texel_bits_i);
+  assign index      = T'($signed(coordinate_q) >>> texel_bits_i);
   assign unrounded  = (E+1)'({place, 1'b0} >> (texel_bits_i - 5'(G)));
   assign rounded    = unrounded[E:1] + E'(unrounded[0]);
   // An edge ends in the texel before the border that it ends on, if it has come along that axis.
-  assign at_end     = is_to && zero && (is_u ? du_q : dv_q) != '0;
+  assign at_end     = is_to_q && zero && (is_u_q ? du_q : dv_q) != '0;
 
   logic [T-1:0] first_u_q, first_v_q, last_u_q, last_v_q;
   logic [E-1:0] from_u_q, from_v_q, to_u_q, to_v_q;
@@ -104,12 +111,12 @@ module edge_setup #(
   logic [C:0]   v_whole_q, u_whole_q;
   logic [C-1:0] v_rest_q, u_rest_q;
   always_ff @(posedge clk_i) begin
-    unique case (state_q)
-      Idle: begin
-        x_positive_q <= upward_i != dx_i[C] || dx_i == '0;
-        du_q         <= (dx_i[C-1:0] ^ {C{dx_i[C]}}) + C'(dx_i[C]);
-        dv_q         <= (dy_i[C-1:0] ^ {C{dy_i[C]}}) + C'(dy_i[C]);
-      end
+    if (state_q == Idle) begin
+      x_positive_q <= upward_i != dx_i[C] || dx_i == '0;
+      du_q         <= (dx_i[C-1:0] ^ {C{dx_i[C]}}) + C'(dx_i[C]);
+      dv_q         <= (dy_i[C-1:0] ^ {C{dy_i[C]}}) + C'(dy_i[C]);
+    end
+    unique case (part_q)
       FromU: begin
         first_u_q     <= index;
         from_u_q      <= rounded;
@@ -132,14 +139,14 @@ module edge_setup #(
         to_v_q      <= at_end ? {1'b1, {G{1'b0}}} : rounded;
         to_v_zero_q <= zero && !at_end;
       end
-      Offsets: if (take) begin
-        v_whole_q <= v_whole_o;
-        v_rest_q  <= v_rest_o;
-        u_whole_q <= u_whole_o;
-        u_rest_q  <= u_rest_o;
-      end
       default: ;
     endcase
+    if (take) begin
+      v_whole_q <= v_whole_o;
+      v_rest_q  <= v_rest_o;
+      u_whole_q <= u_whole_o;
+      u_rest_q  <= u_rest_o;
+    end
   end
 
   // ---- Products and divisions ----

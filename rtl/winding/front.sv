@@ -141,7 +141,8 @@ module front (
 
   // ---- The edge that is walked ----
   logic       walk_step, on_edge, edge_last, along_x, walk_right, row_ends, has_segment, dot;
-  logic [T-1:0] walk_x, walk_y, texel_x, texel_y;  // of the walker, from the origin and the map's corner
+  logic [T-1:0] walk_x, walk_y;        // texel of the walker, from the origin
+  logic [T-1:0] texel_x_q, texel_y_q;  // from the map's corner, where the walker was a cycle ago
   shadow_pkg::segment_t piece;
   logic [1:0] walked_q;      // edge
   logic       passes_q;      // it is an inner edge that is not walked
@@ -157,12 +158,16 @@ module front (
     .step_i(walk_step), .x_o(walk_x), .y_o(walk_y), .on_edge_o(on_edge), .last_o(edge_last),
     .along_x_o(along_x), .x_positive_o(walk_right), .row_ends_o(row_ends), .has_segment_o(has_segment),
     .dot_o(dot), .segment_o(piece));
-  assign texel_x = walk_x + centre_x;
-  assign texel_y = walk_y + centre_y;
+  always_ff @(posedge clk_i) begin
+    texel_x_q <= walk_x + centre_x;
+    texel_y_q <= walk_y + centre_y;
+  end
 
   // ---- The place ----
-  logic         restart_q;    // go to the lowest vertex's texel first
-  logic         reached;      // it is the walker's texel
+  logic         fresh_q;      // the walker has just got an edge;
+  logic         restart_q;    // and the place goes to the lowest vertex's texel first
+  logic         reached_q;    // it is the walker's texel, and moves with it
+  logic         approaches, arrives;
   logic         move_x, move_y, move_back, load_place;
   logic [T-1:0] place_x_q, place_y_q, from_x, from_y;
   logic         covers;
@@ -224,9 +229,10 @@ module front (
   logic [T-1:0] row_x_q;        // the row's first texel
   logic [1:0]   last_vertex_q;  // that the edge before ended in; 3: none
   logic         ready, probe, visit_it, comes_back, row_over, step_on, edge_ends;
-  assign reached    = !restart_q && place_x_q == texel_x && place_y_q == texel_y;
+  assign approaches = state_q == Walk && !reached_q && !fresh_q;
+  assign arrives    = approaches && place_x_q == texel_x_q && place_y_q == texel_y_q;
   assign leftward   = passes_q && !walk_right && !(row_starts_q && row_ends);
-  assign ready      = state_q == Walk && reached && on_edge && !row_done_q && out_free;
+  assign ready      = state_q == Walk && reached_q && on_edge && !row_done_q && out_free;
   assign probe      = ready && leftward;
   assign comes_back = state_q == Return && out_free;
   assign visit_it   = (ready && !leftward) || comes_back;
@@ -235,7 +241,7 @@ module front (
   assign wanted     = wanted_q || (probe_due_q && probe_hit_q && !visited);
   assign row_over   = state_q == Judge && !wanted;
   assign step_on    = (ready && !(leftward && row_ends)) || row_over
-                   || (state_q == Walk && reached && (!on_edge || row_done_q));
+                   || (state_q == Walk && reached_q && (!on_edge || row_done_q));
   assign edge_ends  = step_on && edge_last && on_edge;
   assign walk_step  = step_on && !edge_ends;
   assign load_place = state_q == Walk && restart_q;
@@ -249,10 +255,10 @@ module front (
       move_x    = along_x;
       move_y    = !along_x;
       move_back = along_x && !walk_right;
-    end else if (state_q == Walk && !restart_q) begin
-      move_y    = place_y_q != texel_y;
-      move_x    = place_y_q == texel_y && place_x_q != texel_x;
-      move_back = place_y_q == texel_y && $signed(place_x_q) > $signed(texel_x);
+    end else if (approaches) begin
+      move_y    = place_y_q != texel_y_q;
+      move_x    = place_y_q == texel_y_q && place_x_q != texel_x_q;
+      move_back = place_y_q == texel_y_q && $signed(place_x_q) > $signed(texel_x_q);
     end else if (comes_back) begin
       move_x = place_x_q != row_x_q;
     end
@@ -278,7 +284,8 @@ module front (
         Gaps:    state_q <= Fill;
         default: if (tri_done) state_q <= Idle;
       endcase
-      `CHECK(from_below, !(state_q == Walk && !restart_q) || $signed(place_y_q) <= $signed(texel_y))
+      `CHECK(from_below, !approaches || $signed(place_y_q) <= $signed(texel_y_q))
+      `CHECK(together, !(state_q == Walk && reached_q) || (place_x_q == walk_x + centre_x && place_y_q == walk_y + centre_y))
     end
   end
   always_ff @(posedge clk_i) begin
@@ -290,6 +297,10 @@ module front (
     end else if (load_place) begin
       restart_q     <= 1'b0;
     end
+    fresh_q <= load_edge;
+    // A row that is passed before it is visited leaves the place at its first texel.
+    if (load_edge || state_q == Return) reached_q <= 1'b0;
+    else if (arrives) reached_q <= 1'b1;
     if (state_q == Begin) last_vertex_q <= 2'd3;
 
     if (state_q == Begin) passed_q <= '0;

@@ -143,8 +143,8 @@ module plane_setup #(
 
   // ---- Sums: factors, sum ----
   logic               last_issue;            // of a sum
-  logic [3:0]         to_next, to1_q, to2_q, to_q;
-  logic [1:0]         index1_q, index2_q, op_index_q;
+  logic [3:0]         to_next, to1_q, to2_q, to3_q, to_q;
+  logic [1:0]         index1_q, index2_q, index3_q, op_index_q;
   logic               edge_waits_q;          // its product is on the way
   logic [SumBits-1:0] sum;
   logic [2*C+1:0]     short_sum;             // of two digits
@@ -158,7 +158,8 @@ module plane_setup #(
   always_ff @(posedge clk_i) begin
     index1_q   <= op_index;
     index2_q   <= index1_q;
-    op_index_q <= index2_q;
+    index3_q   <= index2_q;
+    op_index_q <= index3_q;
   end
   assign edge_issue = edge_valid_i && !edge_waits_q
                    && (edge_digit_q || (!hold_q && (state_q != Run || (term_q == '0 && digit_q == '0))));
@@ -167,19 +168,22 @@ module plane_setup #(
     if (!rst_ni) begin
       to1_q        <= ToNone;
       to2_q        <= ToNone;
+      to3_q        <= ToNone;
       to_q         <= ToNone;
       edge_digit_q <= 1'b0;
       edge_waits_q <= 1'b0;
     end else if (clear_i) begin
       to1_q        <= ToNone;
       to2_q        <= ToNone;
+      to3_q        <= ToNone;
       to_q         <= ToNone;
       edge_digit_q <= 1'b0;
       edge_waits_q <= 1'b0;
     end else begin
       to1_q        <= no_area ? ToNone : to_next;
       to2_q        <= no_area ? ToNone : to1_q;
-      to_q         <= no_area ? ToNone : to2_q;
+      to3_q        <= no_area ? ToNone : to2_q;
+      to_q         <= no_area ? ToNone : to3_q;
       edge_digit_q <= edge_issue && !edge_digit_q;
       edge_waits_q <= (edge_issue && edge_digit_q) || (edge_waits_q && !edge_done_o);
     end
@@ -247,7 +251,7 @@ module plane_setup #(
   end
   // Sums that a product's factor needs, or that must stay, are waited for.
   logic in_flight;
-  assign in_flight = to1_q != ToNone || to2_q != ToNone || to_q != ToNone;
+  assign in_flight = to1_q != ToNone || to2_q != ToNone || to3_q != ToNone || to_q != ToNone;
   always_comb begin
     unique case (pc_q)
       PcEnd, PcNarrowEnd: wait_here = 1'b1;
