@@ -140,7 +140,9 @@ module plane_setup #(
       issued_q <= (divide && div_ready) || (issued_q && !(div_valid && div_taken));
     end
   end
+  logic [D-1:0] range_q;
   always_ff @(posedge clk_i) begin
+    range_q <= range_i;
     if (div_valid && job_q == JobX) begin
       x_less_o  <= gradient_x_q[G-1];
       x_whole_o <= quotient;
@@ -152,7 +154,7 @@ module plane_setup #(
       y_rest_o  <= rest;
     end
     if (div_valid && job_q == JobRise) begin
-      rise_o <= quotient >= N'(range_i) ? {1'b0, range_i} + 1'b1 : quotient[D:0] + 1'b1;
+      rise_o <= quotient >= N'(range_q) ? {1'b0, range_q} + 1'b1 : quotient[D:0] + 1'b1;
     end
   end
 endmodule
