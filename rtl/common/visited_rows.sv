@@ -37,14 +37,15 @@ module visited_rows #(
 );
   localparam int unsigned W = MapBits + 2;  // -1 to 2^MapBits, signed
   typedef struct packed {
-    logic [W-1:0] low;   // signed
-    logic [W-1:0] high;  // signed
+    logic [W-1:0] low;     // signed
+    logic [W-1:0] beyond;  // signed; one after the highest
   } interval_t;
 
   // ---- Visits ----
-  logic [W-1:0] x;
+  logic [W-1:0] x, x_next;
   assign x = x_i[RowIndexBits-1] ? '1
            : x_i >= RowIndexBits'(map_width_i) ? W'(map_width_i) : x_i[W-1:0];
+  assign x_next = x + 1'b1;
   logic [2:0]         any_q;            // the edge visited a row
   // Rows. As vectors: synthesis would round an array up to four words.
   logic [3*MapBits-1:0] first_rows_q, last_rows_q;
@@ -58,7 +59,7 @@ module visited_rows #(
   logic               same_row;
   assign same_row  = any_q[edge_i] && edge_q == edge_i && last_q[edge_i] == y_i;
   assign open.low  = same_row && $signed(open_q.low) < $signed(x) ? open_q.low : x;
-  assign open.high = same_row && $signed(open_q.high) > $signed(x) ? open_q.high : x;
+  assign open.beyond = same_row && $signed(open_q.beyond) > $signed(x) ? open_q.beyond : x_next;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -113,36 +114,71 @@ module visited_rows #(
       passed_q <= passed_i;
     end
   end
-  assign hit[0] = $signed(word0.low) <= $signed(x_q) && $signed(x_q) <= $signed(word0.high);
-  assign hit[1] = $signed(word1.low) <= $signed(x_q) && $signed(x_q) <= $signed(word1.high);
-  assign hit[2] = $signed(word2.low) <= $signed(x_q) && $signed(x_q) <= $signed(word2.high);
+  assign hit[0] = $signed(word0.low) <= $signed(x_q) && $signed(x_q) < $signed(word0.beyond);
+  assign hit[1] = $signed(word1.low) <= $signed(x_q) && $signed(x_q) < $signed(word1.beyond);
+  assign hit[2] = $signed(word2.low) <= $signed(x_q) && $signed(x_q) < $signed(word2.beyond);
   assign visited_o = (hit & holds & passed_q) != '0;
 
   // ---- Gaps ----
-  // Sorted by their low ends; what an edge does not have comes last, and is never reached.
+  // Sorted by their low ends; what an edge does not have comes last, and is never reached. All that is compared
+  // is compared at once.
   localparam logic [W-1:0] Never = {1'b0, {(W-1){1'b1}}};
-  interval_t none, a0, a1, a2, b0, b1, c1, d1;
-  logic [W-1:0] c2_low, d0_high;
-  assign none.low  = Never;
-  assign none.high = '1;
-  assign a0 = holds[0] ? word0 : none;
-  assign a1 = holds[1] ? word1 : none;
-  assign a2 = holds[2] ? word2 : none;
-  assign {b0, b1} = $signed(a0.low) > $signed(a1.low) ? {a1, a0} : {a0, a1};
-  assign c1      = $signed(b1.low) > $signed(a2.low) ? a2 : b1;
-  assign c2_low  = $signed(b1.low) > $signed(a2.low) ? b1.low : a2.low;
-  assign d1      = $signed(b0.low) > $signed(c1.low) ? b0 : c1;
-  assign d0_high = $signed(b0.low) > $signed(c1.low) ? c1.high : b0.high;
-
-  // A gap is (beyond, below): both ends are visited or off the map.
-  logic [W-1:0] beyond0, below0, beyond1, below1;
-  logic         gap0, gap1;
-  assign beyond0 = d0_high;
-  assign below0  = d1.low;
-  assign beyond1 = $signed(d1.high) > $signed(d0_high) && d1.low != Never ? d1.high : d0_high;
-  assign below1  = c2_low;
-  assign gap0    = below0 != Never && $signed(below0) > $signed(beyond0 + 1'b1);
-  assign gap1    = below1 != Never && $signed(below1) > $signed(beyond1 + 1'b1);
+  logic [W-1:0] low[3], beyond[3];
+  assign low[0]    = holds[0] ? word0.low : Never;
+  assign low[1]    = holds[1] ? word1.low : Never;
+  assign low[2]    = holds[2] ? word2.low : Never;
+  assign beyond[0] = word0.beyond;
+  assign beyond[1] = word1.beyond;
+  assign beyond[2] = word2.beyond;
+  logic [2:0] later;     // low i > low i + 1 (bit 2: low 0 > low 2)
+  logic [2:0] farther;   // the same of beyond
+  logic [2:0] clear_of[3];  // clear_of[i][j]: j begins after a gap after i
+  assign later[0]   = $signed(low[0]) > $signed(low[1]);
+  assign later[1]   = $signed(low[1]) > $signed(low[2]);
+  assign later[2]   = $signed(low[0]) > $signed(low[2]);
+  assign farther[0] = $signed(beyond[0]) > $signed(beyond[1]);
+  assign farther[1] = $signed(beyond[1]) > $signed(beyond[2]);
+  assign farther[2] = $signed(beyond[0]) > $signed(beyond[2]);
+  for (genvar i = 0; i < 3; i++) begin : g_clear
+    for (genvar j = 0; j < 3; j++) begin : g_of
+      if (i == j) begin : g_self
+        assign clear_of[i][j] = 1'b0;
+      end else begin : g_other
+        assign clear_of[i][j] = holds[j] && $signed(low[j]) > $signed(beyond[i]);
+      end
+    end
+  end
+  // First, second, third.
+  logic [1:0] s0, s1, s2;
+  always_comb begin
+    unique case (later)
+      3'b000:  {s0, s1, s2} = {2'd0, 2'd1, 2'd2};
+      3'b001:  {s0, s1, s2} = {2'd1, 2'd0, 2'd2};
+      3'b010:  {s0, s1, s2} = {2'd0, 2'd2, 2'd1};
+      3'b101:  {s0, s1, s2} = {2'd1, 2'd2, 2'd0};
+      3'b110:  {s0, s1, s2} = {2'd2, 2'd0, 2'd1};
+      default: {s0, s1, s2} = {2'd2, 2'd1, 2'd0};
+    endcase
+  end
+  // A gap goes from beyond one to below the next: both ends are visited or off the map.
+  logic [MapBits-1:0] beyond0, below0, beyond1, below1;
+  logic         gap0, gap1, first_reaches;  // first_reaches: as far as the second, or farther
+  always_comb begin
+    unique case ({s0, s1})
+      {2'd0, 2'd1}: first_reaches = farther[0];
+      {2'd1, 2'd0}: first_reaches = !farther[0];
+      {2'd1, 2'd2}: first_reaches = farther[1];
+      {2'd2, 2'd1}: first_reaches = !farther[1];
+      {2'd0, 2'd2}: first_reaches = farther[2];
+      default:      first_reaches = !farther[2];
+    endcase
+  end
+  assign beyond0 = MapBits'(beyond[s0]);
+  assign below0  = MapBits'(low[s1]);
+  assign beyond1 = MapBits'(first_reaches ? beyond[s0] : beyond[s1]);
+  assign below1  = MapBits'(low[s2]);
+  assign gap0    = clear_of[s0][s1];
+  assign gap1    = clear_of[s0][s2] && clear_of[s1][s2];
 
   // Rows from the first one of any edge to the last one.
   logic               reading_q, row_valid_q;  // rows are left; a row's words are read
@@ -203,10 +239,10 @@ module visited_rows #(
     end
     if (take) begin
       y_q     <= row_q;
-      from0_q <= MapBits'(beyond0 + 1'b1);
-      to0_q   <= MapBits'(below0 - 1'b1);
-      from1_q <= MapBits'(beyond1 + 1'b1);
-      to1_q   <= MapBits'(below1 - 1'b1);
+      from0_q <= beyond0;
+      to0_q   <= below0 - 1'b1;
+      from1_q <= beyond1;
+      to1_q   <= below1 - 1'b1;
     end
   end
 endmodule
