@@ -249,10 +249,12 @@ module silhouette_buffer (
 
   // ---- One step ---------------------------------------------------------------------------------
   logic in_limit; // with one more entry the texel holds no more records than it may
+  logic [LimitBits:0] pool_end;
   logic restart;  // Find begins at the bucket's own record
   logic walk;     // Walk does
   logic [Texels-1:0] selected;
   assign texel_select_o = x_q[1:0];
+  assign pool_end       = ((LimitBits + 1)'(1) << settings_i.buckets_log2) + (LimitBits + 1)'(settings_i.record_limit);
   assign in_limit       = !more_q && LimitBits'(length_q) < settings_i.chain_limit;
   assign selected       = Texels'(1) << x_q[1:0];
 
@@ -636,7 +638,8 @@ module silhouette_buffer (
         act     = 1'b1;
         spot_d  = bump_q;
         state_d = Allocated;
-        if (has_free_q) begin
+        // A freed record has to be read: only when the pool has no other.
+        if (has_free_q && (LimitBits + 1)'(bump_q) >= pool_end) begin
           look      = 1'b1;
           look_addr = free_q;
           state_d   = Reuse;

@@ -232,7 +232,7 @@ void scene_speed(double scale, double bound) {
   EXPECT_LT(each, bound);
 }
 TEST(Store, CyclesOfAScene) {
-  scene_speed(1, 6.5);
+  scene_speed(1, 5.5);
   scene_speed(16, 4.2);
 }
 
