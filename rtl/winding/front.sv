@@ -47,7 +47,7 @@ module front (
   logic [2*C-1:0] product;
 
   // ---- The triangle: its setup keeps it until the last span is out ----
-  logic                   out_free;  // the output register takes a visit
+  logic                   out_valid_q, out_free;  // the output register holds a visit; takes one
   logic                   tri_valid, tri_done, take_tri, has_area, clockwise, plane_idle;
   logic [6*C-1:0]         vertices;
   logic [3*(C+1)-1:0]     edge_dx, edge_dy;
@@ -176,7 +176,7 @@ module front (
   logic [Depth-1:0] depth, fill_step;
   logic [D-1:0] rest, fill_step_rest;
   assign filling  = state_q == Fill;
-  assign tri_done = filling && !gaps_busy && !visit_valid_o;
+  assign tri_done = filling && !gaps_busy && !out_valid_q;
   assign from_x  = load_place ? low_x_q : place_x_q;
   assign from_y  = load_place ? low_y_q : place_y_q;
   always_ff @(posedge clk_i) begin
@@ -319,7 +319,7 @@ module front (
   end
 
   // ---- Visits ----
-  logic               out_valid_q, out_inner_q, out_covers_q, dropped;
+  logic               out_inner_q, out_covers_q, dropped;
   shadow_pkg::visit_t out_q, out;
   always_comb begin
     out.kind          = state_q == Begin ? shadow_pkg::VisitBegin
@@ -337,7 +337,7 @@ module front (
   // An edge that is not walked visits only where it has a corner to count.
   assign dropped       = out_inner_q && !(out_covers_q && !visited);
   assign visit_valid_o = out_valid_q && !dropped;
-  assign out_free      = !visit_valid_o || visit_ready_i;
+  assign out_free      = !out_valid_q || visit_ready_i;  // without what is dropped: that is known late
   always_comb begin
     visit_o        = out_q;
     visit_o.corner = out_covers_q && !visited;
@@ -346,6 +346,7 @@ module front (
     if (!rst_ni) out_valid_q <= 1'b0;
     else if (clear_i) out_valid_q <= 1'b0;
     else if (out_free) out_valid_q <= state_q == Begin || (visit_it && on_map) || word_valid;
+    else if (dropped) out_valid_q <= 1'b0;
   end
   always_ff @(posedge clk_i) begin
     if (out_free) begin
