@@ -61,7 +61,8 @@ module pass_control (
   assign pass2_o       = pass_q == shadow_pkg::PassDecide;
   assign busy_o        = state_q != Idle;
   assign waits_o       = left_q != '0;
-  assign open_o        = state_q == Run && waits_o;
+  // What is offered stays offered inside until everything is cleared.
+  assign open_o        = (state_q == Run || state_q == Close) && waits_o;
   assign close_o       = state_q == Close || state_q == Clear;
   assign clear_o       = state_q == Clear;
   assign clear_lanes_o = clear_o || start_i;  // what a lane keeps of the memories is of one pass

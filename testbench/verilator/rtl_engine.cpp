@@ -42,8 +42,9 @@ class Pool {
   std::multimap<std::string, std::unique_ptr<bench::Bench>> free_;
 };
 
+/// Never destroyed: a model outlives what its shared object keeps for it at the program's end.
 Pool& pool() {
-  static Pool pool;
+  static Pool& pool = *new Pool;
   return pool;
 }
 
