@@ -228,7 +228,7 @@ module front (
   logic         wanted_q, wanted;          // a corner of the row is to be counted
   logic [T-1:0] row_x_q;        // the row's first texel
   logic [1:0]   last_vertex_q;  // that the edge before ended in; 3: none
-  logic         ready, probe, visit_it, comes_back, row_over, step_on, edge_ends;
+  logic         ready, probe, visit_it, comes_back, row_over, judged, step_on, edge_ends;
   assign approaches = state_q == Walk && !reached_q && !fresh_q;
   assign arrives    = approaches && place_x_q == texel_x_q && place_y_q == texel_y_q;
   assign leftward   = passes_q && !walk_right && !(row_starts_q && row_ends);
@@ -239,7 +239,8 @@ module front (
   assign look       = probe || visit_it;
   assign mark       = ready && y_on_map;
   assign wanted     = wanted_q || (probe_due_q && probe_hit_q && !visited);
-  assign row_over   = state_q == Judge && !wanted;
+  assign judged     = state_q == Judge && !probe_due_q;  // the last look-up's answer is in wanted_q
+  assign row_over   = judged && !wanted_q;
   assign step_on    = (ready && !(leftward && row_ends)) || row_over
                    || (state_q == Walk && reached_q && (!on_edge || row_done_q));
   assign edge_ends  = step_on && edge_last && on_edge;
@@ -279,7 +280,7 @@ module front (
                  else if (all_set_up && out_free) state_q <= Gaps;
         Walk:    if (edge_ends) state_q <= edge_valid ? Walk : Edge;
                  else if (probe && row_ends) state_q <= Judge;
-        Judge:   state_q <= wanted ? Return : edge_ends && !edge_valid ? Edge : Walk;
+        Judge:   if (judged) state_q <= wanted_q ? Return : edge_ends && !edge_valid ? Edge : Walk;
         Return:  if (comes_back && place_x_q == row_x_q) state_q <= Walk;
         Gaps:    state_q <= Fill;
         default: if (tri_done) state_q <= Idle;
