@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Proof read_proof(const fs::path& file) {
-  static const std::regex line("// (profile|package|broken): (.*)");
+  static const std::regex line("// (profile|package|pipeline|broken): (.*)");
   static const std::regex broken("(\\S+): `([^`]*)` => `([^`]*)`");
   Proof proof;
   proof.file = file.string();
@@ -34,6 +34,8 @@ Proof read_proof(const fs::path& file) {
     const std::string value = found[2];
     if (found[1] == "profile") {
       proof.profile = value;
+    } else if (found[1] == "pipeline") {
+      proof.pipeline = static_cast<unsigned>(std::stoul(value));
     } else if (found[1] == "package") {
       std::istringstream sets(value);
       for (std::string set; sets >> set;) proof.package_sets.push_back(set);
@@ -122,13 +124,17 @@ Verdict run_proof(const Proof& proof, const BrokenCopy* broken, double limit_s) 
     throw UserError("Yosys on " + proof.name + "_proof",
                     made.timed_out ? "took too long" : read_file(yosys_log), "see " + yosys_log);
   }
-  const std::string commands =
-      fmt::format("read_aiger proof.aig; fold; orpos; strash; pdr -T {:.0f}", limit_s);
+  const std::string search = proof.pipeline
+                                 ? fmt::format("bmc3 -F {} -T {:.0f}", proof.pipeline + 1, limit_s)
+                                 : fmt::format("pdr -T {:.0f}", limit_s);
+  const std::string commands = "read_aiger proof.aig; fold; orpos; strash; " + search;
   const ProcessResult searched =
       run_process({abc, "-c", commands}, folder.string(), verdict.log, limit_s + 30);
   verdict.seconds = made.seconds + searched.seconds;
   const std::string words = read_file(verdict.log);
-  if (words.find("Property proved") != std::string::npos) verdict.outcome = Outcome::kProved;
+  const std::string all_frames = fmt::format("No output asserted in {} frames", proof.pipeline + 1);
+  const std::string proved = proof.pipeline ? all_frames : "Property proved";
+  if (words.find(proved) != std::string::npos) verdict.outcome = Outcome::kProved;
   if (words.find("was asserted in frame") != std::string::npos) verdict.outcome = Outcome::kRefuted;
   return verdict;
 }

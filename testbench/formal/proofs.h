@@ -5,6 +5,9 @@
 /// NAME_proof.sv is a module of that name without reset input. Its header comment may say
 ///   // profile: winding                       the package and the folder of the blocks; else paper
 ///   // package: FractionBits=3 SlopeBits=3    constants that replace the package's
+///   // pipeline: 3                           no value lives longer than so many cycles, so that all
+///                                            runs of one cycle more are all runs; else the search is
+///                                            unbounded
 ///   // broken: FILE: `old` => `new`           a copy of the RTL that the proof must refuse
 #include <string>
 #include <vector>
@@ -18,6 +21,7 @@ struct Proof {
   std::string name;  ///< without _proof
   std::string file, profile = "paper";
   std::vector<std::string> package_sets;
+  unsigned pipeline = 0;  ///< 0: state may live for ever
   std::vector<BrokenCopy> broken;
 };
 
