@@ -83,6 +83,7 @@ int run_program(int argc, char** argv) {
   add_netlist(app);
   add_mutate(app);
   add_prove(app);
+  add_coverage(app);
   add_rtl(app);
   add_check(app);
   add_soak(app);
