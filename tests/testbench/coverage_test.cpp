@@ -144,7 +144,8 @@ TEST(Coverage, BitsOfASignalAreToldTogether) {
 
 TEST(Coverage, EachProfileHasItsBins) {
   const auto has = [](Profile profile, const std::string& name) {
-    for (const Bin& bin : Bins(profile).all()) {
+    const Bins bins(profile);
+    for (const Bin& bin : bins.all()) {
       if (bin.full_name() == name) return bin.count == 0;
     }
     return false;
