@@ -19,7 +19,7 @@ namespace {
 struct GatesArguments {
   SettingsOptions settings;
   GateOptions gates;
-  std::string json;
+  std::string json, page;
   bool sweep = false;
 };
 
@@ -93,9 +93,31 @@ void write_json(const std::string& path, const nlohmann::ordered_json& json) {
   outputs.commit();
 }
 
+/// Both profiles, whatever the configuration says of that.
+void write_page(const GatesArguments& arguments, UnitConfig config, Progress& progress) {
+  std::vector<GateReport> reports;
+  for (const char* profile : {"paper", "winding"}) {
+    set_field(config, "profile", profile);
+    reports.push_back(measure_gates(config, arguments.gates, [&](const std::string& stage) {
+      progress.update(std::string(profile) + ": " + stage, 0);
+    }));
+  }
+  progress.clear();
+  Outputs outputs;
+  outputs.write(arguments.page, gates_page(reports, "kagesen gates --page " + arguments.page),
+                "--page");
+  outputs.commit();
+  std::cout << arguments.page << "\n";
+  if (!reports[0].unmapped.empty() || !reports[1].unmapped.empty()) throw CLI::RuntimeError(1);
+}
+
 void run_gates(const GatesArguments& arguments) {
   const UnitConfig config = load_settings(arguments.settings).config;
   Progress progress(true);
+  if (!arguments.page.empty()) {
+    write_page(arguments, config, progress);
+    return;
+  }
   if (arguments.sweep) {
     const std::vector<SweepRow> rows = sweep(config, arguments.gates, progress);
     progress.clear();
@@ -129,6 +151,8 @@ void add_gates(CLI::App& app) {
       .add_option("--json", arguments->json, "Writes the figures as JSON; - for standard output")
       ->type_name("FILE");
   command.add_flag("--sweep", arguments->sweep, "What each parameter costs, one varied at a time");
+  command.add_option("--page", arguments->page, "Writes both profiles' tables, docs/gates.md")
+      ->type_name("FILE");
   command.add_flag("--flatten", gates.flatten,
                    "Dissolves the blocks first: smaller, but no figure per block");
   command.add_option("--abc", gates.abc, "Another script for ABC")

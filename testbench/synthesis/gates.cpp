@@ -132,6 +132,7 @@ GateReport measure_gates(const UnitConfig& config, const GateOptions& options,
   }
   GateReport report = gates_from_json(nlohmann::ordered_json::parse(read_file(report_file())));
   report.folder = entry.folder().string();
+  report.profile = get_field(config, "profile");
   return report;
 }
 

@@ -51,7 +51,7 @@ struct GateReport {
   std::map<std::string, BlockReport> blocks;
   std::vector<MemoryReport> memories;
   std::string critical_path;  ///< "from -> to"
-  std::string top, library, tools, scripts;
+  std::string profile, top, library, tools, scripts;
   double nand2_area = 0;
   bool flattened = false;
   std::string folder;  ///< where netlist.v, timing.txt and the logs are

@@ -13,6 +13,9 @@ nlohmann::ordered_json gates_json(const GateReport& report);
 GateReport gates_from_json(const nlohmann::ordered_json& json);
 std::string gates_table(const GateReport& report);
 
+/// docs/gates.md: how it is measured, and a table for each report.
+std::string gates_page(const std::vector<GateReport>& reports, const std::string& command);
+
 /// One value of one parameter.
 struct SweepRow {
   std::string key, value;

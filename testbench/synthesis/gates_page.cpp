@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "testbench/synthesis/gates_text.h"
+
+namespace kagesen {
+namespace {
+
+constexpr const char* kHow = R"(# Gates
+
+Written by `{}`.
+
+Yosys maps the unit to the standard cells of Debian's `qflow-tech-osu018` (`--library osu035` for the
+other library). A gate equivalent is the area of a NAND2X1. Memories (`ram_1r1w`) are black boxes: their
+bits are counted apart. A latch or a cell that stays unmapped fails the run. OpenSTA finds the longest path
+of the mapped netlist.
+
+**Assumed**: memories answer {} ns after the clock and take their inputs {} ns before it; ports are
+registers; no delay on wires, no skew; typical process, 1.8 V, 25 degrees.
+
+**The flow** (`testbench/synthesis/synthesis.ys.in`, `abc.script`). Each module is mapped by itself, so that
+every block has a figure; `--flatten` dissolves them first. ABC gets no `dc2`: it takes the carry chains
+that Yosys lays out as prefix trees apart into ripples. Its area mapper `amap`, on the structural choices
+of `dch`, gives the smallest netlist, and `buffer`, `upsize` and `dnsize` then size it for its loads. Other
+scripts: `kagesen gates --top NAME --abc FILE`; a parameter's price: `kagesen gates --sweep`.
+)";
+
+std::string block_table(const GateReport& report) {
+  std::vector<std::pair<std::string, BlockReport>> blocks(report.blocks.begin(),
+                                                          report.blocks.end());
+  std::stable_sort(blocks.begin(), blocks.end(),
+                   [](const auto& a, const auto& b) { return a.second.ge > b.second.ge; });
+  std::string text =
+      "| block | instances | own GE | with what it holds | memory bits "
+      "|\n|---|---:|---:|---:|---:|\n";
+  for (const auto& [name, block] : blocks) {
+    text += fmt::format("| {} | {} | {:.0f} | {:.0f} | {} |\n", name, block.instances, block.own_ge,
+                        block.ge, block.memory_bits);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string gates_page(const std::vector<GateReport>& reports, const std::string& command) {
+  std::string text = fmt::format(kHow, command, kRamAccessNs, kRamSetupNs);
+  for (const GateReport& report : reports) {
+    text += fmt::format(
+        "\n## Profile {}\n\n{:.0f} GE, {:.0f} of it in {} flip-flops; {} memory bits; {:.1f} MHz "
+        "(longest path {}).\n{}, {}, scripts {}.\n\n{}",
+        report.profile, report.total_ge, report.flop_ge, report.flops, report.memory_bits,
+        report.fmax_mhz, report.critical_path, report.library, report.tools, report.scripts,
+        block_table(report));
+  }
+  return text;
+}
+
+}  // namespace kagesen
