@@ -58,6 +58,17 @@ class Soak {
     }
   }
 
+  /// Builds what is wanted, so that it is not counted as time spent.
+  void prepare() {
+    for (const Profile profile : {Profile::kPaper, Profile::kWinding}) {
+      const bool paper = profile == Profile::kPaper;
+      if (arguments_.profile == (paper ? "winding" : "paper")) continue;
+      UnitConfig config = config_;
+      config.profile = profile;
+      engine_->prepare(config);
+    }
+  }
+
   /// Everything about a round follows from seed and number.
   Round draw(std::uint64_t seed, std::uint64_t number) const {
     Dice dice = Dice::of_case(seed, number);
@@ -269,6 +280,7 @@ void run_soak(const SoakArguments& arguments) {
   const double hours =
       arguments.hours.empty() ? 0.05 : parse_number("--hours", arguments.hours, 0.0001, 1e5);
   Soak soak(arguments);
+  soak.prepare();
   Progress progress(!to_stdout);
   Stopwatch watch;
   for (double spent = 0; spent < hours * 3600;) {
