@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <regex>
+#include <sstream>
+#include <vector>
 
 #include "testbench/synthesis/gates.h"
 #include "testbench/tools/cache.h"
@@ -13,6 +16,45 @@
 
 namespace kagesen {
 namespace {
+
+/// The bits of "{ a, b, 2'b01 }" or "a", first the highest.
+std::vector<std::string> bits_of(std::string side) {
+  std::vector<std::string> bits;
+  if (side.front() == '{') side = side.substr(1, side.rfind('}') - 1);
+  std::istringstream words(side);
+  for (std::string word; std::getline(words, word, ',');) {
+    word.erase(0, word.find_first_not_of(' '));
+    word.erase(word.find_last_not_of(' ') + 1);
+    const std::size_t digits = word.find("'b");
+    if (digits == std::string::npos) {
+      bits.push_back(word + " ");  // an escaped name ends with a space
+    } else {
+      for (const char digit : word.substr(digits + 2)) bits.push_back(std::string("1'b") + digit);
+    }
+  }
+  return bits;
+}
+
+/// OpenSTA's reader takes no concatenation on the left: one assignment a bit. Nets are single bits
+/// already.
+std::string with_single_assigns(const std::string& netlist) {
+  std::string text;
+  std::istringstream lines(netlist);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t equals = line.find(" = ");
+    if (line.rfind("  assign {", 0) != 0 || equals == std::string::npos) {
+      text += line + "\n";
+      continue;
+    }
+    const std::vector<std::string> left = bits_of(line.substr(9, equals - 9));
+    const std::vector<std::string> right =
+        bits_of(line.substr(equals + 3, line.rfind(';') - equals - 3));
+    for (std::size_t bit = 0; bit < std::min(left.size(), right.size()); ++bit) {
+      text += fmt::format("  assign {} = {};\n", left[bit], right[bit]);
+    }
+  }
+  return text;
+}
 
 using Sizes = std::set<std::pair<unsigned, unsigned>>;  ///< width, depth
 
@@ -108,7 +150,8 @@ Timing measure_timing(const std::filesystem::path& folder, const std::string& to
                       const CellLibrary& library, const std::string& sta) {
   constexpr double kPeriodNs = 1000 / kTargetMhz;
   Sizes sizes;
-  write_file(folder / "timing.v", with_sized_rams(read_file(folder / "ports_split.v"), sizes));
+  write_file(folder / "timing.v",
+             with_sized_rams(with_single_assigns(read_file(folder / "ports_split.v")), sizes));
   write_file(folder / "rams.lib", ram_library(sizes));
   const std::string script = read_file(source_folder() + "/testbench/synthesis/timing.tcl.in");
   write_file(folder / "timing.tcl",
