@@ -63,6 +63,16 @@ class Lock {
   int file_;
 };
 
+/// clang's code for a Verilated model runs a third faster than g++'s, and compiles quicker.
+std::string model_compiler() {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    if (access((folder + "/clang++").c_str(), X_OK) == 0) return "clang++";
+  }
+  return "g++";
+}
+
 bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
@@ -147,8 +157,8 @@ class Build {
     }
     const bool traces = has("--trace-fst"), covers = has("--coverage");
     return fmt::format(R"(RUNTIME := $(shell verilator --getenv VERILATOR_ROOT)/include
-CXX := $(shell command -v ccache) g++
-FLAGS := -std=c++17 -fPIC -fvisibility=hidden -fno-gnu-unique -w {flags} \
+CXX := $(shell command -v ccache) {compiler}
+FLAGS := -std=c++17 -fPIC -fvisibility=hidden {unique} -w {flags} \
   -DVM_TRACE={trace} -DVM_TRACE_FST={trace} -DVM_TRACE_VCD=0 -DVM_COVERAGE={cover} -DVM_SC=0 \
   -DKAGESEN_TRACE={trace} -DKAGESEN_COVERAGE={cover} -I. -Iobj -I$(RUNTIME) -I$(RUNTIME)/vltstd
 MODEL := $(wildcard obj/*.cpp)
@@ -156,7 +166,7 @@ OWN := {own}
 COMMON := verilated.cpp verilated_threads.cpp {common}
 OBJECTS := $(MODEL:.cpp=.o) $(OWN:.cpp=.o) $(COMMON:.cpp=.o)
 unit.so: $(OBJECTS)
-	g++ -shared -Wl,-Bsymbolic -o $@ $(OBJECTS) -lz -lpthread
+	{compiler} -shared -Wl,-Bsymbolic -o $@ $(OBJECTS) -lz -lpthread -latomic
 # What runs once need not be quick.
 $(filter %__Slow.o,$(MODEL:.cpp=.o)): %.o: %.cpp
 	$(CXX) $(FLAGS) -O0 -c -o $@ $<
@@ -165,6 +175,9 @@ $(filter-out %__Slow.o,$(MODEL:.cpp=.o)) $(OWN:.cpp=.o): %.o: %.cpp
 $(COMMON:.cpp=.o): %.o: $(RUNTIME)/%.cpp
 	$(CXX) $(FLAGS) -c -o $@ $<
 )",
+                       fmt::arg("compiler", model_compiler()),
+                       // or the statics of two models were one
+                       fmt::arg("unique", model_compiler() == "g++" ? "-fno-gnu-unique" : ""),
                        fmt::arg("flags", fmt::format("{}", fmt::join(recipe_.compiler, " "))),
                        fmt::arg("trace", int(traces)), fmt::arg("cover", int(covers)),
                        fmt::arg("own", own),
@@ -212,8 +225,9 @@ BuildRecipe bench_recipe(const UnitConfig& config, BuildKind kind) {
 }
 
 std::string hash_of(const BuildRecipe& recipe) {
-  std::string all = recipe.top + fmt::format("\n{}\n{}\n", fmt::join(recipe.verilator, " "),
-                                             fmt::join(recipe.compiler, " "));
+  std::string all =
+      recipe.top + fmt::format("\n{}\n{} {}\n", fmt::join(recipe.verilator, " "),
+                               model_compiler(), fmt::join(recipe.compiler, " "));
   for (const SourceText& s : recipe.sources) {
     all += fmt::format("{} {}\n", s.path, s.text.size()) + s.text;
   }
