@@ -58,7 +58,7 @@ struct UnitConfig {
   std::int64_t position_bits = 0;                    // of Mx and My; 0: all the trace has
   std::int64_t lines_per_entry = 3;
   std::int64_t link_depth = 1024;     // linked records a texel may hold
-  std::int64_t slb_buckets = 16384;   // of the address hash, a power of two
+  std::int64_t slb_buckets = 65536;   // of the address hash, a power of two
   std::int64_t slb_entries = 262144;  // capacity of the SLB
   OwnIdRule own_id_rule = OwnIdRule::kPerSource;
   VertexRule vertex_rule = VertexRule::kPerLine;

@@ -28,7 +28,7 @@ TEST(AddressGenerator, SeparatesTheTexelsAroundAnOutline) {
   // A block of 64 rows, 181 apart, does not meet itself in as many buckets as it has texels.
   std::set<std::uint32_t> seen;
   for (std::uint32_t y = 0; y < 64; ++y) {
-    for (std::uint32_t x = 0; x < 128; ++x) seen.insert(bucket_of(x, y, 16384));
+    for (std::uint32_t x = 0; x < 128; ++x) seen.insert(bucket_of(x, y, 65536));
   }
   EXPECT_EQ(seen.size(), 64u * 128u);
 }
