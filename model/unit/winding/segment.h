@@ -45,16 +45,23 @@ struct Crossing {
   bool near = false;
 };
 
+/// Is the point within half a step of the segment's bounding box?
 /// @param shift  texel bits less end_bits: units a step of the ends = 2^shift
-///
+inline bool boxed(const Segment& s, const Place& p, int shift) {
+  // Half a step, in units; half a unit reaches no farther along an axis than 0 does.
+  const std::int64_t reach = shift == 0 ? 0 : std::int64_t{1} << (shift - 1);
+  const auto between = [&](std::int64_t e, std::int64_t f, std::int64_t at) {
+    return ((e < f ? e : f) << shift) - reach <= at && at <= ((e < f ? f : e) << shift) + reach;
+  };
+  return between(s.x0, s.x1, p.x) && between(s.y0, s.y1, p.y);
+}
+
 /// The winding number at a point is the corner count, plus the crossings of the left border at or
 /// below the point, plus what the segments at or left of the point add. "Near" is a square of one
 /// step round the point that touches the segment: half a step each way is what rounding moves.
 inline Crossing crossing(const Segment& s, const Place& p, int shift) {
   const std::int64_t x0 = std::int64_t{s.x0} << shift, y0 = std::int64_t{s.y0} << shift;
   const std::int64_t x1 = std::int64_t{s.x1} << shift, y1 = std::int64_t{s.y1} << shift;
-  // Half a step, in units; half a unit reaches no farther along an axis than 0 does.
-  const std::int64_t reach = shift == 0 ? 0 : std::int64_t{1} << (shift - 1);
   const std::int64_t dx = x1 - x0, dy = y1 - y0;
   const std::int64_t side = dx * (p.y - y0) - dy * (p.x - x0);  // > 0: the point lies left of 0-1
 
@@ -68,10 +75,7 @@ inline Crossing crossing(const Segment& s, const Place& p, int shift) {
   if (level && (rises ? side <= 0 : side >= 0)) {
     out.winding += s.crosses_left() && rises ? -sign : sign;
   }
-  const std::int64_t low_x = x0 < x1 ? x0 : x1, high_x = x0 < x1 ? x1 : x0;
-  const std::int64_t low_y = rises ? y0 : y1, high_y = rises ? y1 : y0;
-  out.near = low_x - reach <= p.x && p.x <= high_x + reach && low_y - reach <= p.y &&
-             p.y <= high_y + reach &&
+  out.near = boxed(s, p, shift) &&
              2 * (side < 0 ? -side : side) <= ((dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy)) << shift;
   return out;
 }

@@ -11,6 +11,7 @@
 #include "model/unit/span_filler.h"
 #include "model/unit/winding/cluster_index.h"
 #include "model/unit/winding/edge_walker.h"
+#include "model/unit/winding/fragment_trail.h"
 #include "model/unit/winding/plane.h"
 #include "model/unit/winding/silhouette_buffer.h"
 #include "model/unit/winding/texel_buffers.h"
@@ -32,6 +33,8 @@ class ShadowUnit {
   void settle();
   /// Pass 2: a verdict a fragment.
   void decide(const Fragment* fragments, std::size_t count, Verdict* verdicts);
+  /// The same of one fragment, and what is read for it. @pre settled  @param trail  cleared
+  Verdict decide(const Fragment& fragment, FragmentTrail& trail);
 
   const UnitConfig& config() const { return config_; }
   const Widths& widths() const { return widths_; }
@@ -99,9 +102,14 @@ class ShadowUnit {
   // Pass 2
   bool by_definition(const Fragment& f, std::int32_t x, std::int32_t y) const;
   bool known(const Fragment& f, std::int32_t x, std::int32_t y) const;
-  Verdict decide_one(const Fragment& fragment, Tally& tally);
-  Verdict look_up(const Fragment& fragment, std::int32_t x, std::int32_t y, Tally& tally);
-  Verdict read_texel(const Texel& texel, const Fragment& fragment, Tally& tally);
+  void count(const Tally& tally, std::size_t fragments);
+  Verdict decide_one(const Fragment& fragment, Tally& tally, FragmentTrail* trail);
+  Verdict look_up(const Fragment& fragment, std::int32_t x, std::int32_t y, Tally& tally,
+                  FragmentTrail* trail);
+  Verdict read_texel(const Texel& texel, const Fragment& fragment, Tally& tally,
+                     FragmentTrail* trail);
+  void follow(std::uint32_t list, std::uint32_t clusters, const Place& place, int shift,
+              FragmentTrail& trail) const;
   const ClusterIndex* index_of(std::uint32_t list);
   bool inside(const Cluster& cluster, const Place& place, int shift) const;
   bool passes_over(std::uint32_t source, std::uint32_t object) const {

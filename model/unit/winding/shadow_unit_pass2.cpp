@@ -63,14 +63,25 @@ void ShadowUnit::sum_up(Tile& tile) {
 void ShadowUnit::decide(const Fragment* fragments, std::size_t count, Verdict* verdicts) {
   settle();
   Tally tally;
-  for (std::size_t i = 0; i < count; ++i) verdicts[i] = decide_one(fragments[i], tally);
-  counters_.fragments += count;
+  for (std::size_t i = 0; i < count; ++i) verdicts[i] = decide_one(fragments[i], tally, nullptr);
+  this->count(tally, count);
+}
+
+Verdict ShadowUnit::decide(const Fragment& fragment, FragmentTrail& trail) {
+  Tally tally;
+  const Verdict verdict = decide_one(fragment, tally, &trail);
+  count(tally, 1);
+  return verdict;
+}
+
+void ShadowUnit::count(const Tally& tally, std::size_t fragments) {
+  counters_.fragments += fragments;
   counters_.averted += tally.averted;
   counters_.outside += tally.outside;
   counters_.dark_by_buffer += tally.dark_by_buffer;
   counters_.dark_by_lines += tally.dark_by_lines;
   counters_.lit +=
-      count - tally.averted - tally.outside - tally.dark_by_buffer - tally.dark_by_lines;
+      fragments - tally.averted - tally.outside - tally.dark_by_buffer - tally.dark_by_lines;
   counters_.slb_lookups += tally.lists;
   counters_.entries_read += tally.clusters;
   counters_.lines_read += tally.segments;
@@ -91,7 +102,8 @@ bool ShadowUnit::known(const Fragment& f, std::int32_t x, std::int32_t y) const 
                                     unshadowable_[f.object] != 0);
 }
 
-inline Verdict ShadowUnit::decide_one(const Fragment& fragment, Tally& tally) {
+inline Verdict ShadowUnit::decide_one(const Fragment& fragment, Tally& tally,
+                                      FragmentTrail* trail) {
   const std::int32_t x = (fragment.position.x >> widths_.texel_bits) + centre_x_;
   const std::int32_t y = (fragment.position.y >> widths_.texel_bits) + centre_y_;
   if (known(fragment, x, y)) {
@@ -101,18 +113,27 @@ inline Verdict ShadowUnit::decide_one(const Fragment& fragment, Tally& tally) {
       ++(averted ? tally.averted : tally.outside);
       if (!config_.skip_fragments && texels_.holds(x, y)) {
         Tally unused;
-        look_up(fragment, x, y, unused);
+        look_up(fragment, x, y, unused, trail);
         tally.texels += unused.texels;
+        if (trail != nullptr) {  // its verdict is known: the tile is the last that it reads
+          trail->reads_texel = false;
+          trail->records.clear();
+        }
       }
     }
     return averted ? Verdict::kDark : Verdict::kLit;
   }
-  return look_up(fragment, x, y, tally);
+  return look_up(fragment, x, y, tally, trail);
 }
 
 inline Verdict ShadowUnit::look_up(const Fragment& fragment, std::int32_t x, std::int32_t y,
-                                   Tally& tally) {
+                                   Tally& tally, FragmentTrail* trail) {
   const Tile& tile = texels_.tile(x, y);
+  if (trail != nullptr) {
+    trail->reads_tile = true;
+    trail->x = static_cast<std::uint32_t>(x);
+    trail->y = static_cast<std::uint32_t>(y);
+  }
   const std::int64_t depth = fragment.position.z;
   if (config_.skip_tiles) {
     if (depth <= tile.nearest) {
@@ -128,10 +149,15 @@ inline Verdict ShadowUnit::look_up(const Fragment& fragment, std::int32_t x, std
   }
   ++tally.texels;
   if (tile.slot == Tile::kUntouched) return Verdict::kLit;
-  return read_texel(texels_.texel(tile, x, y), fragment, tally);
+  if (trail != nullptr) {
+    trail->reads_texel = true;
+    trail->tile_slot = tile.slot;
+  }
+  return read_texel(texels_.texel(tile, x, y), fragment, tally, trail);
 }
 
-Verdict ShadowUnit::read_texel(const Texel& texel, const Fragment& fragment, Tally& tally) {
+Verdict ShadowUnit::read_texel(const Texel& texel, const Fragment& fragment, Tally& tally,
+                               FragmentTrail* trail) {
   if (texel.empty()) return Verdict::kLit;
   const std::int64_t depth = fragment.position.z;
   const std::uint32_t object = unit_id(fragment.object);
@@ -158,28 +184,47 @@ Verdict ShadowUnit::read_texel(const Texel& texel, const Fragment& fragment, Tal
     return !passes_over(c.object, object) && beyond(c.threshold) &&
            (surely || inside(c, place, shift));
   };
+  std::uint32_t read = 0;
+  bool found = false;
   if (const ClusterIndex* index = index_of(texel.list)) {
-    std::uint32_t read = index->count();
-    bool found = false;
+    read = index->count();
     index->candidates(place, [&](std::uint32_t rank, bool surely) {
       found = dark(slb_[index->member(rank)], surely);
       if (found) read = rank + 1;
       return !found;
     });
-    tally.clusters += read;
     tally.segments += index->segments_before(read);
-    tally.dark_by_lines += found;
-    return found ? Verdict::kDark : Verdict::kLit;
-  }
-  for (std::uint32_t at = texel.list; at != SilhouetteBuffer::kNone; at = slb_[at].next) {
-    ++tally.clusters;
-    tally.segments += slb_[at].segment_count;
-    if (dark(slb_[at], slb_[at].full)) {
-      ++tally.dark_by_lines;
-      return Verdict::kDark;
+  } else {
+    for (std::uint32_t at = texel.list; at != SilhouetteBuffer::kNone && !found;
+         at = slb_[at].next) {
+      ++read;
+      tally.segments += slb_[at].segment_count;
+      found = dark(slb_[at], slb_[at].full);
     }
   }
-  return Verdict::kLit;
+  tally.clusters += read;
+  tally.dark_by_lines += found;
+  if (trail != nullptr) follow(texel.list, read, place, shift, *trail);
+  return found ? Verdict::kDark : Verdict::kLit;
+}
+
+/// The records of a list's first clusters, as hardware stores them.
+void ShadowUnit::follow(std::uint32_t list, std::uint32_t clusters, const Place& place, int shift,
+                        FragmentTrail& trail) const {
+  for (; clusters > 0; --clusters, list = slb_[list].next) {
+    std::uint32_t left = slb_.first_segments_of(slb_[list]);
+    std::uint8_t within = 0;
+    slb_.each_segment(slb_[list], [&](const Segment& segment) {
+      if (left-- == 0) {
+        trail.records.push_back(within);
+        within = 0;
+        left = slb_.segments_per_record() - 1;
+      }
+      within += boxed(segment, place, shift);
+      return true;
+    });
+    trail.records.push_back(within);
+  }
 }
 
 /// Of a long list that is read often; null where reading it through costs less.

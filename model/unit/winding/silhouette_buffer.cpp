@@ -40,16 +40,16 @@ void SilhouetteBuffer::erase(std::uint32_t& head, std::uint32_t previous) {
 bool SilhouetteBuffer::add(Cluster& c, const Segment& segment, bool& cancelled) {
   cancelled = false;
   const bool may_meet = segment.inner() || segment.dot();
-  for (std::uint32_t* link = &c.first_segment; may_meet && *link != kNone;
-       link = &segments_[*link].next) {
-    const std::uint32_t at = *link;
+  for (std::uint32_t at = c.first_segment; may_meet && at != kNone; at = segments_[at].next) {
     if (segment.dot() && segments_[at].segment.dot() && segments_[at].segment.same_ends(segment)) {
       return true;
     }
     if (!segments_[at].segment.opposes(segment)) continue;
-    *link = segments_[at].next;
-    segments_[at].next = free_segment_;
-    free_segment_ = at;
+    const std::uint32_t last = c.first_segment;
+    segments_[at].segment = segments_[last].segment;
+    c.first_segment = segments_[last].next;
+    segments_[last].next = free_segment_;
+    free_segment_ = last;
     records_ -= records_for(c.segment_count) - records_for(c.segment_count - 1);
     --c.segment_count;
     cancelled = true;

@@ -24,7 +24,9 @@ struct Cluster {
 };
 
 /// Clusters and segments in pools. Memory is counted in records, as hardware would allocate: one a
-/// cluster with room for `segments_per_record` segments, and one for each so many more.
+/// cluster with room for `segments_per_record` segments, and one for each so many more. All records
+/// of a cluster but its first are full; segments go to the first one, and leave from there: where
+/// one is cancelled, the last one stored takes its place.
 class SilhouetteBuffer {
  public:
   static constexpr std::uint32_t kNone = 0xffffffffu;
@@ -41,6 +43,7 @@ class SilhouetteBuffer {
   /// there is no room.
   bool add(Cluster& c, const Segment& segment, bool& cancelled);
   void drop_segments(Cluster& c);
+  /// The last one stored first: record by record.
   template <typename Use>
   void each_segment(const Cluster& cluster, Use use) const {
     for (std::uint32_t at = cluster.first_segment; at != kNone; at = segments_[at].next) {
@@ -48,6 +51,11 @@ class SilhouetteBuffer {
     }
   }
   std::uint32_t records_of(const Cluster& c) const { return records_for(c.segment_count); }
+  std::uint32_t segments_per_record() const { return per_record_; }
+  /// In the cluster's first record.
+  std::uint32_t first_segments_of(const Cluster& c) const {
+    return c.segment_count == 0 ? 0 : (c.segment_count - 1) % per_record_ + 1;
+  }
   std::uint64_t records() const { return records_; }
   std::uint64_t peak_records() const { return peak_; }
 
