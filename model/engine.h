@@ -133,19 +133,25 @@ struct PassCycles {
     return 0;
   }
 };
-/// Of an engine that has a clock. Pass 2's causes are those of the first lane.
+/// Of an engine that has a clock; what it does not time is absent. Pass 2's causes are those of the
+/// first lane.
 struct CycleReport {
-  std::uint64_t clear = 0;                 ///< wiping the memories before the frame
-  std::uint64_t announce = 0, settle = 0;  ///< winding profile: receiver mask; end of pass 1
-  PassCycles pass1, pass2;
+  std::optional<std::uint64_t> clear;             ///< wiping the memories before the frame
+  std::optional<std::uint64_t> announce, settle;  ///< winding profile: receiver mask; end of pass 1
+  std::optional<PassCycles> pass1, pass2;
   std::uint64_t edge_texels = 0, span_texels = 0;  ///< of pass 1
 
-  /// Cycles of pass 1 but those that carried out spans.
+  /// Of everything that was timed.
+  std::uint64_t total() const {
+    return clear.value_or(0) + announce.value_or(0) + settle.value_or(0) +
+           (pass1 ? pass1->total : 0) + (pass2 ? pass2->total : 0);
+  }
+  /// Cycles of pass 1 but those that carried out spans. @pre pass1
   double per_edge_texel() const {
-    return edge_texels ? double(pass1.total - pass1.of("span")) / double(edge_texels) : 0;
+    return edge_texels ? double(pass1->total - pass1->of("span")) / double(edge_texels) : 0;
   }
   double per_span_texel() const {
-    return span_texels ? double(pass1.of("span")) / double(span_texels) : 0;
+    return span_texels ? double(pass1->of("span")) / double(span_texels) : 0;
   }
 };
 

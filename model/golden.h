@@ -1,5 +1,6 @@
 #pragma once
 /// The golden engine's two profiles.
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 
@@ -7,14 +8,29 @@
 
 namespace kagesen {
 
-std::unique_ptr<Engine> make_golden_paper_engine();
-std::unique_ptr<Engine> make_golden_winding_engine();
+namespace unit {
+class ShadowUnit;
+namespace winding {
+class ShadowUnit;
+}
+}  // namespace unit
+
+/// @param unit  its unit, for who also looks inside; empty: one of its own
+std::unique_ptr<Engine> make_golden_paper_engine(std::shared_ptr<unit::ShadowUnit> unit = {});
+std::unique_ptr<Engine> make_golden_winding_engine(
+    std::shared_ptr<unit::winding::ShadowUnit> unit = {});
 
 /// Bits that tell so many values apart.
 constexpr int bits_for(std::uint64_t values) {
   int bits = 0;
   while ((std::uint64_t{1} << bits) < values) ++bits;
   return bits;
+}
+/// Of a texel's index along an axis, as the Verilog is built.
+inline int map_bits(const UnitConfig& config) {
+  constexpr int kLeast = 10;
+  return std::max(kLeast,
+                  bits_for(static_cast<std::uint64_t>(std::max(config.map_width, config.map_height))));
 }
 
 }  // namespace kagesen

@@ -26,6 +26,8 @@ LineRecord as_record(const Line& line) {
 
 class PaperEngine : public Engine {
  public:
+  explicit PaperEngine(std::shared_ptr<unit::ShadowUnit> unit)
+      : own_(unit ? std::move(unit) : std::make_shared<unit::ShadowUnit>()), unit_(*own_) {}
   std::string name() const override { return "golden"; }
 
   void begin(const UnitConfig& config, const FrameSetup& setup) override {
@@ -106,11 +108,14 @@ class PaperEngine : public Engine {
     c.collisions += chains.empty() ? 0 : chains.size() - 1;
   }
 
-  unit::ShadowUnit unit_;
+  std::shared_ptr<unit::ShadowUnit> own_;
+  unit::ShadowUnit& unit_;
 };
 
 }  // namespace
 
-std::unique_ptr<Engine> make_golden_paper_engine() { return std::make_unique<PaperEngine>(); }
+std::unique_ptr<Engine> make_golden_paper_engine(std::shared_ptr<unit::ShadowUnit> unit) {
+  return std::make_unique<PaperEngine>(std::move(unit));
+}
 
 }  // namespace kagesen

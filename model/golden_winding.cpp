@@ -20,6 +20,8 @@ using unit::winding::Tile;
 
 class WindingEngine : public Engine {
  public:
+  explicit WindingEngine(std::shared_ptr<ShadowUnit> unit)
+      : own_(unit ? std::move(unit) : std::make_shared<ShadowUnit>()), unit_(*own_) {}
   std::string name() const override { return "golden"; }
   void begin(const UnitConfig& config, const FrameSetup& setup) override {
     unit_.begin(config, setup);
@@ -135,11 +137,15 @@ class WindingEngine : public Engine {
     figures.add_texel(records);
   }
 
-  mutable ShadowUnit unit_;  // settling changes no verdict
+  std::shared_ptr<ShadowUnit> own_;
+  ShadowUnit& unit_;
 };
 
 }  // namespace
 
-std::unique_ptr<Engine> make_golden_winding_engine() { return std::make_unique<WindingEngine>(); }
+std::unique_ptr<Engine> make_golden_winding_engine(
+    std::shared_ptr<unit::winding::ShadowUnit> unit) {
+  return std::make_unique<WindingEngine>(std::move(unit));
+}
 
 }  // namespace kagesen

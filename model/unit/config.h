@@ -83,15 +83,22 @@ struct UnitConfig {
   bool skip_edges = true;
   bool skip_fragments = true;
 
-  // RTL alone: what is built, and the memories of its bench. Verdicts do not depend on them.
+  // RTL and SystemC: what is built, and the memories behind it. Verdicts do not depend on them.
   std::int64_t lanes = 1;              // of pass 2
   std::int64_t fragment_slots = 128;    // fragments in flight a lane
   std::int64_t visit_fifo_depth = 32;  // visits ahead of the store
   std::int64_t texel_lines = 64;       // texel words kept on chip in pass 1
   std::int64_t record_lines = 128;      // SLB records kept on chip in pass 1
   std::int64_t memory_latency = 20;    // cycles from a request to its response
+  std::int64_t memory_spread = 0;      // up to so many more, at random
   std::int64_t memory_stall = 0;       // per cent of the cycles in which a port takes nothing
-  std::int64_t memory_seed = 1;        // of the stalls
+  std::int64_t memory_interval = 1;    // cycles from a port's request to its next
+  std::int64_t memory_outstanding = 0; // reads a port has under way at most; 0: any number
+  std::int64_t memory_banks = 1;       // behind a port
+  std::int64_t memory_bank_busy = 1;   // cycles from a bank's read to its next
+  std::int64_t memory_row_words = 0;   // words of a bank's row; 0: no rows
+  std::int64_t memory_row_miss = 0;    // more cycles where another row is open
+  std::int64_t memory_seed = 1;        // of what is random
 };
 
 /// One field of UnitConfig as text: what a configuration file, `--set` and the help need.

@@ -7,10 +7,12 @@
 #include "model/engine.h"
 #include "model/unit/combination.h"
 #include "model/unit/edge_walker.h"
+#include "model/unit/fragment_trail.h"
 #include "model/unit/shadow_decision.h"
 #include "model/unit/silhouette_buffer.h"
 #include "model/unit/span_filler.h"
 #include "model/unit/texel_buffers.h"
+#include "model/unit/triangle_trail.h"
 
 namespace kagesen::unit {
 
@@ -20,8 +22,12 @@ class ShadowUnit {
  public:
   void begin(const UnitConfig& config, const FrameSetup& setup);
   void draw(const Caster& caster);  ///< pass 1
+  /// The same, and what was done. @param trail  cleared
+  void draw(const Caster& caster, TriangleTrail& trail);
   /// Pass 2: a verdict a fragment.
   void decide(const Fragment* fragments, std::size_t count, Verdict* verdicts);
+  /// The same of one fragment, and what is read for it. @param trail  cleared
+  Verdict decide(const Fragment& fragment, FragmentTrail& trail);
 
   const UnitConfig& config() const { return config_; }
   const TexelBuffers& texels() const { return texels_; }
@@ -46,9 +52,12 @@ class ShadowUnit {
   void remove_hidden(std::uint32_t texel, std::uint32_t depth);
   void overflow(std::uint32_t texel, std::uint32_t depth);
   void update_edge_flag(std::uint32_t texel);
-  Verdict decide_one(const Fragment& fragment, Tally& tally);
+  void count(const Tally& tally, std::size_t fragments);
+  Verdict decide_one(const Fragment& fragment, Tally& tally, FragmentTrail* trail);
   Verdict decide_by_lines(std::uint32_t texel, std::uint32_t object, std::uint32_t depth,
                           const SubTexel& point);
+  Verdict walk_chain(std::uint32_t texel, std::uint32_t object, std::uint32_t depth,
+                     const SubTexel& point, std::vector<std::uint32_t>& records);
   Combination& combination_of(std::uint32_t entry);
   std::uint32_t unit_id(std::uint32_t object) const {
     return object < ids_.size() ? ids_[object] : object & id_mask_;
@@ -73,6 +82,7 @@ class ShadowUnit {
   UnitCounters counters_;
 
   // The polygon being drawn.
+  TriangleTrail* trail_ = nullptr;  // or null
   const Polygon* polygon_ = nullptr;
   std::uint32_t object_ = 0, polygon_id_ = 0;
 };

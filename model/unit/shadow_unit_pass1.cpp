@@ -35,6 +35,13 @@ std::uint32_t ShadowUnit::bucket_at(std::uint32_t texel) const {
   return bucket_of(texel % texels_.width(), texel / texels_.width(), slb_.buckets());
 }
 
+void ShadowUnit::draw(const Caster& caster, TriangleTrail& trail) {
+  trail.clear();
+  trail_ = &trail;
+  draw(caster);
+  trail_ = nullptr;
+}
+
 void ShadowUnit::draw(const Caster& caster) {
   ++counters_.casters;
   if (!combinations_.empty()) combinations_.clear();
@@ -45,6 +52,12 @@ void ShadowUnit::draw(const Caster& caster) {
   polygon_ = &polygon;
   object_ = unit_id(c.object);
   polygon_id_ = c.polygon & polygon_mask_;
+  if (trail_ != nullptr) {
+    trail_->flat = false;
+    trail_->twice_area = polygon.twice_area();
+    trail_->gradient_x = polygon.gradient_x();
+    trail_->gradient_y = polygon.gradient_y();
+  }
 
   const auto [low, high] = std::minmax({c.vertex[0].y, c.vertex[1].y, c.vertex[2].y});
   rows_.begin(
@@ -59,15 +72,26 @@ void ShadowUnit::draw(const Caster& caster) {
               setup_edge(a, b, c.vertex[(i + 2) % 3], bits_, static_cast<int>(config_.slope_bits)));
   }
   empty_visited();
+  if (trail_ != nullptr) trail_->edge[3] = static_cast<std::uint32_t>(trail_->outline.size());
   fill_spans();
 }
 
 void ShadowUnit::draw_edge(int index, const EdgeSetup& edge) {
   ++counters_.edges;
-  for (EdgeWalker walker(edge, bits_, static_cast<int>(config_.fraction_bits));; walker.step()) {
+  EdgeWalker walker(edge, bits_, static_cast<int>(config_.fraction_bits));
+  if (trail_ != nullptr) {
+    const OutlineTexel first = walker.texel();
+    trail_->edge[static_cast<std::size_t>(index)] =
+        static_cast<std::uint32_t>(trail_->outline.size());
+    trail_->start[static_cast<std::size_t>(index)] =
+        polygon_->depth_numerator(first.x, first.y) -
+        Int128{edge.first_depth - polygon_->first_depth()} * polygon_->twice_area();
+  }
+  for (;; walker.step()) {
     OutlineTexel at = walker.texel();
     at.x += centre_x_;
     at.y += centre_y_;
+    if (trail_ != nullptr) trail_->outline.push_back({at.x, at.y});
     if (static_cast<std::uint32_t>(at.y) < texels_.height()) {
       rows_.visit(index, at.x, at.y);
       if (static_cast<std::uint32_t>(at.x) < texels_.width())
@@ -169,6 +193,7 @@ void ShadowUnit::fill_spans() {
     to = std::min(to, last_column);
     if (from > to) return;
     counters_.span_texels += static_cast<std::uint64_t>(to - from + 1);
+    if (trail_ != nullptr) trail_->gaps.push_back({y, from, to});
     ExactRamp depth = polygon_->centre_ramp(from - centre_x_, y - centre_y_);
     const std::uint32_t first = texels_.index(from, y), last = texels_.index(to, y);
     for (std::uint32_t texel = first; texel <= last; ++texel, depth.advance()) {

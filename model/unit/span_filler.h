@@ -27,8 +27,19 @@ class Polygon {
   std::uint32_t farthest(std::uint32_t centre) const;
   std::uint32_t clamp(std::int64_t depth) const;
 
- private:
+  // The plane's depth as fractions of twice the area: per unit, and at a texel's centre less the
+  // first vertex's.
+  std::uint32_t first_depth() const { return v_[0].z; }
+  std::int64_t twice_area() const { return twice_area_; }
+  std::int64_t gradient_x() const { return planed().gradient_x_; }
+  std::int64_t gradient_y() const { return planed().gradient_y_; }
   Int128 depth_numerator(std::int32_t texel_x, std::int32_t texel_y) const;
+
+ private:
+  const Polygon& planed() const {
+    if (!plane_ready_) make_plane();
+    return *this;
+  }
   void make_plane() const;
 
   LightPoint v_[3];  // counter-clockwise

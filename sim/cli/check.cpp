@@ -71,14 +71,10 @@ Json json_of(const Figures& f) {
           {"seconds", f.seconds}};
 }
 
-std::uint64_t total_cycles(const CycleReport& c) {
-  return c.clear + c.announce + c.pass1.total + c.settle + c.pass2.total;
-}
-
 /// Stages whose cycles differ between two runs of one frame.
 std::uint64_t differing_stages(const CycleReport& a, const CycleReport& b) {
-  return (a.clear != b.clear) + (a.announce != b.announce) + (a.pass1.total != b.pass1.total) +
-         (a.settle != b.settle) + (a.pass2.total != b.pass2.total);
+  return (a.clear != b.clear) + (a.announce != b.announce) + (a.pass1->total != b.pass1->total) +
+         (a.settle != b.settle) + (a.pass2->total != b.pass2->total);
 }
 
 class CheckRun {
@@ -169,7 +165,7 @@ class CheckRun {
     }
 
     Figures figures;
-    bench::Timing timing = timing_of(arguments_.bench, settings.config);
+    Timing timing = timing_of(arguments_.bench, settings.config);
     // Stalls and latencies at random are others in each frame; without, the cycles must be too.
     const bool varies = timing.spread + timing.memory_stall + timing.stream_stall > 0;
     std::optional<CycleReport> before;
@@ -183,7 +179,7 @@ class CheckRun {
       figures.buffer_differences += result.buffer_differences;
       figures.counter_differences += result.counter_differences;
       figures.failures += result.failures;
-      if (result.cycles) figures.cycles += total_cycles(*result.cycles);
+      if (result.cycles) figures.cycles += result.cycles->total();
       if (result.cycles && before && !varies) {
         figures.cycle_differences += differing_stages(*before, *result.cycles);
       }
@@ -223,7 +219,7 @@ class CheckRun {
   }
 
   void tell(const std::string& input, const std::string& scale, const Frame& frame,
-            const Expected& expected, const bench::Timing& timing, const FirstDifference& first) {
+            const Expected& expected, const Timing& timing, const FirstDifference& first) {
     if (!first_.is_null()) return;  // the first of all
     const std::string name = std::filesystem::path(input).stem().string();
     told_.push_back(

@@ -2,6 +2,7 @@
 
 #include "sim/cli/nearest.h"
 #include "sim/cli/parse.h"
+#include "sim/memory/configured_timing.h"
 #include "traces/format/error.h"
 
 namespace kagesen {
@@ -39,11 +40,8 @@ std::uint64_t parse_count(const std::string& option, const std::string& text, do
   return static_cast<std::uint64_t>(value);
 }
 
-bench::Timing timing_of(const BenchOptions& options, const UnitConfig& config) {
-  bench::Timing timing;
-  timing.latency = static_cast<std::uint32_t>(config.memory_latency);
-  timing.memory_stall = static_cast<std::uint32_t>(config.memory_stall);
-  timing.seed = static_cast<std::uint64_t>(config.memory_seed);
+Timing timing_of(const BenchOptions& options, const UnitConfig& config) {
+  Timing timing = configured_timing(config);
   const auto count = [](const char* option, const std::string& text, double least, double most) {
     return static_cast<std::uint32_t>(parse_count(option, text, least, most));
   };

@@ -15,7 +15,7 @@ void add_bench_options(CLI::App& command, BenchOptions& options);
 
 BuildKind build_kind(const BenchOptions& options);
 /// The configuration's memory, as far as the options do not say otherwise.
-bench::Timing timing_of(const BenchOptions& options, const UnitConfig& config);
+Timing timing_of(const BenchOptions& options, const UnitConfig& config);
 /// A whole number in a range.
 std::uint64_t parse_count(const std::string& option, const std::string& text, double least,
                           double most);

@@ -39,7 +39,7 @@ struct Round {
   UnitConfig config;
   FrameSetup setup;
   std::size_t portions = 0;
-  bench::Timing timing;
+  Timing timing;
   bool cuts = false;
   std::uint64_t cut_seed = 0;
 };
@@ -166,7 +166,7 @@ class CoverageRun {
     if (!result.cycles) return;
     cycles_ = result.cycles;
     const CycleReport& c = *cycles_;
-    out_.cycles += c.clear + c.announce + c.pass1.total + c.settle + c.pass2.total;
+    out_.cycles += c.total();
     bins_.add(frame, expected, c, engine_.bench().events());
   }
 

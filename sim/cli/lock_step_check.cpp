@@ -70,8 +70,8 @@ void draw_registers(Dice& dice, UnitConfig& c) {
   c.chain_records = dice.magnitude(3);
 }
 
-bench::Timing draw_timing(Dice& dice) {
-  bench::Timing timing;
+Timing draw_timing(Dice& dice) {
+  Timing timing;
   timing.seed = static_cast<std::uint64_t>(dice.in(0, 1 << 30));
   if (dice.one_in(2)) return timing;
   timing.latency = static_cast<std::uint32_t>(dice.in(1, 60));

@@ -12,7 +12,7 @@ const std::vector<std::string>& width_keys();
 /// Draws policies and capacities; widths, map and profile stay.
 void draw_registers(stress::Dice& dice, UnitConfig& config);
 /// Memories and streams: half of them as they come, the others at random.
-bench::Timing draw_timing(stress::Dice& dice);
+Timing draw_timing(stress::Dice& dice);
 
 /// The check that Verilog and golden agree, in a suite's terms.
 const stress::Check& lock_step_check();

@@ -111,7 +111,8 @@ void add_run(CLI::App& app) {
       "run", "Decides the shadows of a frame as the unit would, and judges every verdict");
   add_input_options(command, options->input, InputUse::kRun);
   add_settings_options(command, options->settings);
-  command.add_option("--engine", options->simulate.engine, "What decides: golden, or rtl (the Verilog, simulated)")
+  command.add_option("--engine", options->simulate.engine, 
+                   "What decides: golden; systemc, which also tells the cycles; or rtl (the Verilog, simulated)")
       ->type_name("NAME")
       ->capture_default_str()
       ->group("Unit");

@@ -7,6 +7,7 @@
 #include "model/frame_setup.h"
 #include "sim/cli/nearest.h"
 #include "sim/cli/stopwatch.h"
+#include "sim/systemc/engine.h"
 #include "testbench/verilator/rtl_engine.h"
 #include "traces/format/error.h"
 #include "traces/format/words.h"
@@ -94,9 +95,10 @@ struct Passes {
 
 std::unique_ptr<Engine> make_engine(const std::string& name) {
   if (name == "golden") return make_golden_engine();
+  if (name == "systemc") return make_systemc_engine();
   if (name == "rtl") return make_rtl_engine();
   throw UserError("--engine", fmt::format("there is no '{}'", name),
-                  suggestion(name, {"golden", "rtl"}));
+                  suggestion(name, {"golden", "systemc", "rtl"}));
 }
 
 RunResult simulate(const Trace& trace, const UnitConfig& config, const SimulateOptions& options) {

@@ -38,7 +38,7 @@ struct Round {
   UnitConfig config;
   FrameSetup setup;
   std::size_t portions = 0;
-  bench::Timing timing;
+  Timing timing;
   std::uint64_t cuts = 0, cut_seed = 0;
 };
 

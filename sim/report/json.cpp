@@ -140,15 +140,18 @@ Json pass_json(const PassCycles& pass) {
 }
 
 Json cycles_json(const CycleReport& cycles) {
-  Json json = {{"clear", cycles.clear},
-               {"announce", cycles.announce},
-               {"pass1", pass_json(cycles.pass1)},
-               {"settle", cycles.settle},
-               {"pass2", pass_json(cycles.pass2)}};
-  json["pass1"]["edge_texels"] = cycles.edge_texels;
-  json["pass1"]["span_texels"] = cycles.span_texels;
-  json["pass1"]["per_edge_texel"] = cycles.per_edge_texel();
-  json["pass1"]["per_span_texel"] = cycles.per_span_texel();
+  Json json = Json::object();
+  if (cycles.clear) json["clear"] = *cycles.clear;
+  if (cycles.announce) json["announce"] = *cycles.announce;
+  if (cycles.pass1) {
+    Json& pass1 = json["pass1"] = pass_json(*cycles.pass1);
+    pass1["edge_texels"] = cycles.edge_texels;
+    pass1["span_texels"] = cycles.span_texels;
+    pass1["per_edge_texel"] = cycles.per_edge_texel();
+    pass1["per_span_texel"] = cycles.per_span_texel();
+  }
+  if (cycles.settle) json["settle"] = *cycles.settle;
+  if (cycles.pass2) json["pass2"] = pass_json(*cycles.pass2);
   return json;
 }
 

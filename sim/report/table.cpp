@@ -126,13 +126,15 @@ std::string pass_text(const PassCycles& pass, const char* item) {
 
 void cycle_rows(Rows& rows, const CycleReport& cycles) {
   rows.heading("Clock cycles");
-  rows.add("clear", grouped(cycles.clear));
-  if (cycles.announce > 0) rows.add("announce", grouped(cycles.announce));
-  rows.add("pass 1", pass_text(cycles.pass1, "texel"));
-  rows.add("", fmt::format("{:.3f} an edge texel, {:.3f} a span texel", cycles.per_edge_texel(),
-                           cycles.per_span_texel()));
-  if (cycles.settle > 0) rows.add("settle", grouped(cycles.settle));
-  rows.add("pass 2", pass_text(cycles.pass2, "fragment"));
+  if (cycles.clear) rows.add("clear", grouped(*cycles.clear));
+  if (cycles.announce.value_or(0) > 0) rows.add("announce", grouped(*cycles.announce));
+  if (cycles.pass1) {
+    rows.add("pass 1", pass_text(*cycles.pass1, "texel"));
+    rows.add("", fmt::format("{:.3f} an edge texel, {:.3f} a span texel", cycles.per_edge_texel(),
+                             cycles.per_span_texel()));
+  }
+  if (cycles.settle.value_or(0) > 0) rows.add("settle", grouped(*cycles.settle));
+  if (cycles.pass2) rows.add("pass 2", pass_text(*cycles.pass2, "fragment"));
 }
 
 std::string engine_text(const RunResult& result) {

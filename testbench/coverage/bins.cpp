@@ -162,8 +162,8 @@ void Bins::add_cut(bench::Bench::Cut how) {
 }
 
 void Bins::add_cycles(const CycleReport& cycles) {
-  for (const auto& [cause, count] : cycles.pass1.causes) hit("pass 1 cause", cause, count);
-  for (const auto& [cause, count] : cycles.pass2.causes) hit("pass 2 cause", cause, count);
+  for (const auto& [cause, count] : cycles.pass1->causes) hit("pass 1 cause", cause, count);
+  for (const auto& [cause, count] : cycles.pass2->causes) hit("pass 2 cause", cause, count);
 }
 
 void Bins::add_events(const bench::Events& events) {

@@ -106,15 +106,15 @@ class VerilatedBench final : public Bench {
   }
 
   void set_timing(const Timing& timing) override {
-    if (timing.latency < 1 ||
-        std::uint64_t{timing.latency} + timing.spread > ReadPort<1>::kMaxDelay) {
-      throw Failure("memory latency out of range");
-    }
     timing_ = timing;
-    random_ = Random(timing.seed);
-    for (unsigned l = 0; l < kLanes; ++l) {
-      texel_ports_[l].configure(timing.latency, timing.spread, timing.seed + 2 * l + 1);
-      slb_ports_[l].configure(timing.latency, timing.spread, timing.seed + 2 * l + 2);
+    passes_.fill(0);
+    try {
+      for (unsigned l = 0; l < kLanes; ++l) {
+        texel_ports_[l].configure(timing);
+        slb_ports_[l].configure(timing);
+      }
+    } catch (const std::invalid_argument& error) {
+      throw Failure(error.what());
     }
   }
 
@@ -160,7 +160,7 @@ class VerilatedBench final : public Bench {
     return run(Pass::kAnnounce, static_cast<std::uint32_t>(count), feed);
   }
   bool decide(const Fragment* fragments, std::size_t count, Verdict* verdicts,
-              std::uint64_t* cycles) override {
+              FragmentCycles* cycles) override {
     Fragments feed{*this, fragments, count, kLanes, verdicts, cycles};
     return run(Pass::kDecide, static_cast<std::uint32_t>(count), feed);
   }
@@ -175,6 +175,7 @@ class VerilatedBench final : public Bench {
     return cycles_[static_cast<std::size_t>(pass)];
   }
   std::uint64_t now() const override { return now_; }
+  std::uint64_t pass_began() const override { return pass_first_; }
   MemoryWords texel_memory() const override {
     return {texels_.words(), TexelMemory::kStride, widths::texel_wr_data_o, TexelMemory::kCount};
   }
@@ -218,7 +219,7 @@ class VerilatedBench final : public Bench {
 
     void offer() {
       Vshadow_bench& top = *bench.top_;
-      if (top.tri_valid_i || next == count || bench.stream_stalls()) return;
+      if (top.tri_valid_i || next == count || bench.stalls(Channel::kTriangles)) return;
       const Triangle& t = beats[next];
       top.tri_valid_i = 1;
       top.tri_kind_i = static_cast<std::uint8_t>(t.is_plane << 4 | t.shares << 3 | t.inner);
@@ -249,14 +250,17 @@ class VerilatedBench final : public Bench {
     std::size_t count;
     unsigned lanes;
     Verdict* verdicts;      // null: an announcement
-    std::uint64_t* cycles;  // may be null
+    FragmentCycles* cycles;  // may be null
     std::array<std::size_t, kLanes> sent{}, answered{};
 
     void offer() {
       Vshadow_bench& top = *bench.top_;
       for (unsigned l = 0; l < lanes; ++l) {
         const std::size_t next = sent[l] * lanes + l;
-        if ((top.frag_valid_i >> l & 1) != 0 || next >= count || bench.stream_stalls()) continue;
+        if ((top.frag_valid_i >> l & 1) != 0 || next >= count ||
+            bench.stalls(Channel::kFragments, l)) {
+          continue;
+        }
         const Fragment& f = fragments[next];
         top.frag_valid_i |= static_cast<std::uint8_t>(1u << l);
         set_field(top.frag_flags_i, 3 * l, 3, f.unshadowable << 2 | f.outside << 1 | f.averted);
@@ -267,7 +271,9 @@ class VerilatedBench final : public Bench {
       }
       unsigned ready = (1u << kLanes) - 1;
       if (bench.timing_.stream_stall != 0) {
-        for (unsigned l = 0; l < kLanes; ++l) ready &= ~(unsigned{bench.stream_stalls()} << l);
+        for (unsigned l = 0; l < kLanes; ++l) {
+          ready &= ~(unsigned{bench.stalls(Channel::kVerdicts, l)} << l);
+        }
       }
       top.verdict_ready_i = static_cast<std::uint8_t>(ready);
     }
@@ -276,7 +282,11 @@ class VerilatedBench final : public Bench {
       const unsigned taken = top.frag_valid_i & top.frag_ready_o;
       if (taken != 0) {
         bench.lanes_taken_ = taken;
-        for (unsigned l = 0; l < lanes; ++l) sent[l] += taken >> l & 1;
+        for (unsigned l = 0; l < lanes; ++l) {
+          if ((taken >> l & 1) == 0) continue;
+          const std::size_t at = sent[l]++ * lanes + l;
+          if (cycles != nullptr) cycles[at].accepted = bench.now_ - bench.pass_first_;
+        }
         const auto beats = static_cast<unsigned>(__builtin_popcount(taken));
         bench.cycles_[int(verdicts ? Pass::kDecide : Pass::kAnnounce)].items += beats;
         ++bench.progress_;
@@ -296,7 +306,7 @@ class VerilatedBench final : public Bench {
       const auto by = static_cast<unsigned>(field(top.verdict_by_o, 3 * lane, 3));
       verdicts[at] = {static_cast<std::uint8_t>(dark), static_cast<std::uint8_t>(by & 7)};
       ++bench.events_.verdicts[dark][by];
-      if (cycles != nullptr) cycles[at] = bench.now_;
+      if (cycles != nullptr) cycles[at].retired = bench.now_ - bench.pass_first_;
       ++bench.progress_;
     }
   };
@@ -306,6 +316,7 @@ class VerilatedBench final : public Bench {
     write(Register::kCount, count);
     done_ = false;
     write(Register::kControl, static_cast<std::uint32_t>(pass));
+    begin_timing(pass);
     const std::uint64_t cut_at = cut_ ? now_ + cut_after_ : ~std::uint64_t{0};
     cut_ = false;
     bool cutting = false;
@@ -328,6 +339,26 @@ class VerilatedBench final : public Bench {
     return !cutting;
   }
 
+  /// The pass's first cycle is the second from now; what happens from it on is the pass's.
+  void begin_timing(Pass pass) {
+    pass_first_ = now_ + 1;
+    const PassNumber number{static_cast<std::uint32_t>(pass), passes_[std::size_t(pass)]++};
+    for (unsigned l = 0; l < kLanes; ++l) {
+      texel_ports_[l].begin_pass(number, Channel::kTexelReads, l, pass_first_);
+      slb_ports_[l].begin_pass(number, Channel::kSlbReads, l, pass_first_);
+      for (const Channel c : {Channel::kFragments, Channel::kVerdicts}) {
+        stalls_[l][std::size_t(c)] =
+            Stalls(timing_.stream_stall, Chance(timing_.seed, number, c, l));
+      }
+    }
+    const auto set = [&](Channel c, std::uint32_t per_cent) {
+      stalls_[0][std::size_t(c)] = Stalls(per_cent, Chance(timing_.seed, number, c, 0));
+    };
+    set(Channel::kTriangles, timing_.stream_stall);
+    set(Channel::kTexelWrites, timing_.memory_stall);
+    set(Channel::kSlbWrites, timing_.memory_stall);
+  }
+
   void offer_write(Register at, std::uint32_t value) {
     top_->s_awaddr_i = static_cast<std::uint8_t>(at);
     top_->s_wdata_i = value;
@@ -338,8 +369,8 @@ class VerilatedBench final : public Bench {
     top_->frag_valid_i = 0;
     top_->verdict_ready_i = static_cast<std::uint8_t>((1u << kLanes) - 1);
   }
-  bool stream_stalls() {
-    return timing_.stream_stall != 0 && random_.per_cent(timing_.stream_stall);
+  bool stalls(Channel channel, unsigned lane = 0) const {
+    return stalls_[lane][std::size_t(channel)].at(now_ - pass_first_);
   }
   void check_progress() {
     if (progress_ == progress_seen_) {
@@ -377,10 +408,10 @@ class VerilatedBench final : public Bench {
     }
     top.texel_rsp_valid_i = static_cast<std::uint8_t>(texel_valid);
     top.slb_rsp_valid_i = static_cast<std::uint8_t>(slb_valid);
-    top.texel_rd_ready_i = static_cast<std::uint8_t>(ready(kLanes));
-    top.slb_rd_ready_i = static_cast<std::uint8_t>(ready(kLanes));
-    top.texel_wr_ready_i = static_cast<std::uint8_t>(ready(1));
-    top.slb_wr_ready_i = static_cast<std::uint8_t>(ready(1));
+    top.texel_rd_ready_i = static_cast<std::uint8_t>(ready(texel_ports_));
+    top.slb_rd_ready_i = static_cast<std::uint8_t>(ready(slb_ports_));
+    top.texel_wr_ready_i = !stalls(Channel::kTexelWrites);
+    top.slb_wr_ready_i = !stalls(Channel::kSlbWrites);
     top.eval();
     dump(0);
   }
@@ -411,12 +442,10 @@ class VerilatedBench final : public Bench {
     }
   }
 
-  unsigned ready(unsigned ports) {
-    unsigned bits = (1u << ports) - 1;
-    if (timing_.memory_stall == 0) return bits;
-    for (unsigned p = 0; p < ports; ++p) {
-      bits &= ~(unsigned{random_.per_cent(timing_.memory_stall)} << p);
-    }
+  template <typename Ports>
+  unsigned ready(Ports& ports) {
+    unsigned bits = 0;
+    for (unsigned l = 0; l < kLanes; ++l) bits |= unsigned{ports[l].ready(now_)} << l;
     return bits;
   }
 
@@ -430,13 +459,15 @@ class VerilatedBench final : public Bench {
     for (unsigned l = 0; l < kLanes; ++l) {
       if ((texels >> l & 1) != 0) {
         constexpr unsigned kBits = widths::texel_wr_addr_o;
-        texel_ports_[l].accept(now_, std::uint8_t(field(top.texel_rd_tag_o, 8 * l, 8)),
-                               texels_.at(field(top.texel_rd_addr_o, kBits * l, kBits)));
+        const std::uint64_t address = field(top.texel_rd_addr_o, kBits * l, kBits);
+        texel_ports_[l].accept(now_, std::uint8_t(field(top.texel_rd_tag_o, 8 * l, 8)), address,
+                               texels_.at(address));
       }
       if ((records >> l & 1) != 0) {
         constexpr unsigned kBits = widths::slb_wr_addr_o;
-        slb_ports_[l].accept(now_, std::uint8_t(field(top.slb_rd_tag_o, 8 * l, 8)),
-                             slb_.at(field(top.slb_rd_addr_o, kBits * l, kBits)));
+        const std::uint64_t address = field(top.slb_rd_addr_o, kBits * l, kBits);
+        slb_ports_[l].accept(now_, std::uint8_t(field(top.slb_rd_tag_o, 8 * l, 8)), address,
+                             slb_.at(address));
       }
     }
   }
@@ -570,7 +601,9 @@ class VerilatedBench final : public Bench {
   std::array<ReadPort<SlbMemory::kStride>, kLanes> slb_ports_;
   std::array<std::array<std::uint32_t, TexelMemory::kStride>, 1u << kTexelsPerWord> masks_;
   Timing timing_;
-  Random random_;
+  std::array<std::uint32_t, kPasses> passes_{};        // of each kind, since set_timing()
+  std::array<std::array<Stalls, kChannels>, kLanes> stalls_{};  // by channel
+  Cycle pass_first_ = 0;
 
   std::uint64_t now_ = 0, progress_ = 0, progress_seen_ = ~std::uint64_t{0};
   bool done_ = false;

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "sim/memory/timing.h"
+
 namespace kagesen::bench {
 
 enum class Register : std::uint8_t {  // byte addresses; docs/rtl.md
@@ -52,15 +54,6 @@ struct Verdict {
 };
 /// By what a verdict came about: shadow_pkg::By*.
 enum By : std::uint8_t { kByDefinition, kByOutside, kByNothing, kByBuffer, kByLines, kByTile };
-
-/// How memories and streams behave. The same timing gives the same cycles again.
-struct Timing {
-  std::uint32_t latency = 20;      ///< cycles from a request to its response, 1 or more
-  std::uint32_t spread = 0;        ///< up to so many more, at random: responses overtake another
-  std::uint32_t memory_stall = 0;  ///< per cent of the cycles in which a memory port takes nothing
-  std::uint32_t stream_stall = 0;  ///< of those in which nothing is offered, or no verdict taken
-  std::uint64_t seed = 1;
-};
 
 struct PassCycles {
   std::uint64_t total = 0;
@@ -118,9 +111,9 @@ class Bench {
   /// `count` beats, of which planes are no items.
   virtual bool draw(const Triangle* beats, std::size_t count) = 0;
   virtual bool settle() = 0;
-  /// @param cycles  if not null: the cycle in which each verdict was taken
+  /// @param cycles  if not null: of each fragment, from the pass's first cycle on
   virtual bool decide(const Fragment* fragments, std::size_t count, Verdict* verdicts,
-                      std::uint64_t* cycles = nullptr) = 0;
+                      FragmentCycles* cycles = nullptr) = 0;
   enum class Cut : std::uint8_t { kAbort, kReset };
   /// Ends the next pass by force after so many cycles, unless it is done by then.
   virtual void cut_next_pass(Cut how, std::uint64_t after_cycles) = 0;
@@ -128,6 +121,7 @@ class Bench {
   virtual const Events& events() const = 0;
   virtual const PassCycles& cycles(Pass pass) const = 0;
   virtual std::uint64_t now() const = 0;  ///< cycles since the bench was made
+  virtual std::uint64_t pass_began() const = 0;  ///< now() in the first cycle of the last pass
   virtual MemoryWords texel_memory() const = 0;
   virtual MemoryWords slb_memory() const = 0;
 

@@ -202,7 +202,7 @@ BuildRecipe bench_recipe(const UnitConfig& config, BuildKind kind) {
   recipe.sources = rtl_sources(config.profile);
   recipe.sources.push_back({"rtl/shadow_pkg.sv", shadow_package(config)});
   for (const SourceText& source : embedded_sources()) {
-    if (source.path.compare(0, 10, "testbench/") == 0) recipe.sources.push_back(source);
+    if (source.path.compare(0, 4, "rtl/") != 0) recipe.sources.push_back(source);
   }
   if (kind == BuildKind::kFast) {
     recipe.verilator = {"-O3", "--x-assign fast", "--x-initial fast", "--no-assert"};

@@ -156,8 +156,8 @@ LockStepResult lock_step(const Frame& frame, const Expected& expected, RtlEngine
 void cut_frame(const Frame& frame, RtlEngine& engine, bench::Bench::Cut how, std::uint64_t seed,
                const CycleReport& cycles) {
   bench::Bench& bench = engine.prepare(frame.config);
-  const std::uint64_t passes[] = {cycles.clear, cycles.announce, cycles.pass1.total, cycles.settle,
-                                  cycles.pass2.total};
+  const std::uint64_t passes[] = {*cycles.clear, *cycles.announce, cycles.pass1->total,
+                                  *cycles.settle, cycles.pass2->total};
   // The draw wants no quality, only to differ from seed to seed.
   std::uint64_t state = seed * 0x9e3779b97f4a7c15u + 0x1234567;
   const auto draw = [&](std::uint64_t below) {
@@ -187,7 +187,7 @@ void cut_frame(const Frame& frame, RtlEngine& engine, bench::Bench::Cut how, std
 
 std::vector<std::string> write_wave(const Frame& frame, const Expected& expected,
                                     const FirstDifference& first,
-                                    const std::optional<bench::Timing>& timing,
+                                    const std::optional<Timing>& timing,
                                     const std::string& path) {
   RtlOptions options;
   options.kind = BuildKind::kTrace;
@@ -214,7 +214,7 @@ std::vector<std::string> write_wave(const Frame& frame, const Expected& expected
         if (verdicts[first.fragment] == expected.verdicts[first.fragment]) {
           lines.push_back("the verdict is right when the frame runs alone");
         }
-        return engine.verdict_cycles()[first.fragment] - start;
+        return bench.pass_began() + engine.fragment_cycles()[first.fragment].retired - start;
       }
     } catch (const bench::Failure& failure) {
       lines.push_back(failure.what());

@@ -62,7 +62,7 @@ void cut_frame(const Frame& frame, RtlEngine& engine, bench::Bench::Cut how, std
 /// cycles before it. Returns what it found out, a line each.
 std::vector<std::string> write_wave(const Frame& frame, const Expected& expected,
                                     const FirstDifference& first,
-                                    const std::optional<bench::Timing>& timing,
+                                    const std::optional<Timing>& timing,
                                     const std::string& path);
 
 }  // namespace kagesen

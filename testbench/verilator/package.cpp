@@ -10,8 +10,6 @@
 namespace kagesen {
 namespace {
 
-constexpr int kMinMapBits = 10;
-
 int record_addr_bits(const UnitConfig& c) {
   const UnitConfig least;  // smaller capacities are registers of the same build
   if (c.profile == Profile::kWinding) {
@@ -44,8 +42,7 @@ std::map<std::string, std::string> values(const UnitConfig& c) {
 }  // namespace
 
 PackageWidths::PackageWidths(const UnitConfig& c)
-    : map_bits(std::max(kMinMapBits,
-                        bits_for(static_cast<std::uint64_t>(std::max(c.map_width, c.map_height))))),
+    : map_bits(kagesen::map_bits(c)),
       record_addr_bits(kagesen::record_addr_bits(c)) {
   if (c.profile == Profile::kPaper) {
     texel_bits = static_cast<int>(3 + c.id_bits + c.depth_bits);

@@ -3,8 +3,10 @@
 #include <map>
 #include <mutex>
 
+#include "model/cycle_causes.h"
 #include "model/golden.h"
 #include "model/stored_figures.h"
+#include "sim/memory/configured_timing.h"
 #include "testbench/verilator/package.h"
 #include "testbench/verilator/rtl_contents.h"
 
@@ -79,12 +81,6 @@ bench::Triangle beat_of(const Caster& caster) {
   return beat;
 }
 
-/// Names of shadow_pkg's causes, in their order.
-constexpr const char* kStoreCauses[] = {"edge", "span",  "other",  "input", "setup",
-                                        "walk", "texel", "record", "chain", "write"};
-constexpr const char* kLaneCauses[] = {"fragment", "input",    "texel",   "texel_port", "slb",
-                                       "slb_port", "decision", "verdict", "drain"};
-
 template <std::size_t kNames>
 PassCycles pass_cycles(const bench::PassCycles& of, const char* const (&names)[kNames]) {
   PassCycles out;
@@ -127,12 +123,8 @@ void RtlEngine::begin(const UnitConfig& config, const FrameSetup& setup) {
   setup_ = setup;
   drawn_ = decided_ = 0;
   settled_ = true;
-  verdict_cycles_.clear();
-  bench::Timing timing;
-  timing.latency = static_cast<std::uint32_t>(config.memory_latency);
-  timing.memory_stall = static_cast<std::uint32_t>(config.memory_stall);
-  timing.seed = static_cast<std::uint64_t>(config.memory_seed);
-  bench_->set_timing(options_.timing.value_or(timing));
+  fragment_cycles_.clear();
+  bench_->set_timing(options_.timing.value_or(configured_timing(config)));
   bench_->clear();
   write_settings(config, setup);
   cut_ = !bench_->wipe();
@@ -218,10 +210,10 @@ void RtlEngine::decide(const Fragment* fragments, std::size_t count, Verdict* ve
   if (cut_) return;
   const std::vector<bench::Fragment> beats = beats_of(fragments, count);
   std::vector<bench::Verdict> answers(count);
-  std::uint64_t* cycles = nullptr;
+  FragmentCycles* cycles = nullptr;
   if (options_.keep_cycles) {
-    verdict_cycles_.resize(decided_ + count);
-    cycles = verdict_cycles_.data() + decided_;
+    fragment_cycles_.resize(decided_ + count);
+    cycles = fragment_cycles_.data() + decided_;
   }
   cut_ = !bench_->decide(beats.data(), beats.size(), answers.data(), cycles);
   decided_ += count;
@@ -289,7 +281,7 @@ std::optional<CycleReport> RtlEngine::cycles() const {
   report.pass1 = pass_cycles(bench_->cycles(Pass::kDraw), kStoreCauses);
   report.edge_texels = bench_->events().edge_texels;
   report.span_texels = bench_->events().span_texels;
-  report.pass1.items = report.edge_texels + report.span_texels;
+  report.pass1->items = report.edge_texels + report.span_texels;
   report.pass2 = pass_cycles(bench_->cycles(Pass::kDecide), kLaneCauses);
   return report;
 }

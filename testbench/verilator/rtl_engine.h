@@ -13,8 +13,8 @@ namespace kagesen {
 struct RtlOptions {
   BuildKind kind = BuildKind::kFast;
   /// How memories and streams behave; empty: as the configuration says.
-  std::optional<bench::Timing> timing;
-  bool keep_cycles = false;  ///< of every verdict
+  std::optional<Timing> timing;
+  bool keep_cycles = false;  ///< of every fragment
 };
 
 /// Frames follow each other without a reset. The bench is built when a frame needs it, and goes
@@ -34,15 +34,15 @@ class RtlEngine : public Engine {
   std::optional<CycleReport> cycles() const override;
 
   /// For frames to come.
-  void set_timing(const bench::Timing& timing) { options_.timing = timing; }
+  void set_timing(const Timing& timing) { options_.timing = timing; }
   /// Gets the bench ready before a frame begins.
   bench::Bench& prepare(const UnitConfig& config);
   /// @pre prepare() or begin() was called
   bench::Bench& bench() const { return *bench_; }
   /// Was a pass of this frame cut short? Then the frame has to begin again.
   bool cut() const { return cut_; }
-  /// With keep_cycles: the cycle of each verdict since begin().
-  const std::vector<std::uint64_t>& verdict_cycles() const { return verdict_cycles_; }
+  /// With keep_cycles: each fragment's since begin(), from the first cycle of its own decide().
+  const std::vector<FragmentCycles>& fragment_cycles() const { return fragment_cycles_; }
   /// Ends pass 1, as decide() and contents() do.
   void settle() const;
 
@@ -59,7 +59,7 @@ class RtlEngine : public Engine {
   FrameSetup setup_;
   std::uint64_t drawn_ = 0, decided_ = 0;
   mutable bool settled_ = true, cut_ = false;
-  std::vector<std::uint64_t> verdict_cycles_;
+  std::vector<FragmentCycles> fragment_cycles_;
 };
 
 std::unique_ptr<Engine> make_rtl_engine(RtlOptions options = {});

@@ -34,7 +34,7 @@ void run_frames(benchmark::State& state, Engine& engine, Profile profile) {
   for (auto _ : state) {
     frame(engine, trace, config, setup, verdicts);
     if (const auto c = engine.cycles()) {
-      cycles += c->clear + c->announce + c->pass1.total + c->settle + c->pass2.total;
+      cycles += c->total();
     }
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(verdicts.size()));

@@ -40,14 +40,14 @@ void add_profile(const std::string& profile, const std::vector<CyclesRow>& rows,
     if (r.profile != profile) continue;
     const CycleReport& c = r.cycles;
     page += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", r.scene, r.scale,
-                        ratio(c.pass2.per_item(), c.pass2.items), lost(c.pass2, {"fragment"}),
+                        ratio(c.pass2->per_item(), c.pass2->items), lost(*c.pass2, {"fragment"}),
                         ratio(c.per_edge_texel(), c.edge_texels),
                         ratio(c.per_span_texel(), c.span_texels),
-                        lost(c.pass1, {"edge", "span"}), grouped(c.clear + c.announce));
-    per_fragment += c.pass2.per_item();
+                        lost(*c.pass1, {"edge", "span"}), grouped(*c.clear + *c.announce));
+    per_fragment += c.pass2->per_item();
     per_edge_texel += c.per_edge_texel();
     fragments += r.fragments;
-    pass2 += c.pass2.total;
+    pass2 += c.pass2->total;
     ++count;
   }
   if (count == 0) return;
@@ -73,7 +73,7 @@ std::string cycles_page(const std::vector<CyclesRow>& rows) {
   double seconds = 0;
   for (const CyclesRow& r : rows) {
     const CycleReport& c = r.cycles;
-    cycles += c.clear + c.announce + c.pass1.total + c.settle + c.pass2.total;
+    cycles += c.total();
     seconds += r.seconds;
   }
   page += fmt::format("\nSimulated: {} cycles in {:.0f} s.\n", grouped(cycles), seconds);

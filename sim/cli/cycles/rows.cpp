@@ -34,9 +34,9 @@ CyclesRow row_of(const json& value) {
   value.at("fragments").get_to(row.fragments);
   value.at("seconds").get_to(row.seconds);
   CycleReport& c = row.cycles;
-  value.at("clear").get_to(c.clear);
-  value.at("announce").get_to(c.announce);
-  value.at("settle").get_to(c.settle);
+  c.clear = value.at("clear").get<std::uint64_t>();
+  c.announce = value.at("announce").get<std::uint64_t>();
+  c.settle = value.at("settle").get<std::uint64_t>();
   value.at("edge_texels").get_to(c.edge_texels);
   value.at("span_texels").get_to(c.span_texels);
   c.pass1 = pass_of(value.at("pass1"));
@@ -56,13 +56,13 @@ json cycles_json(const std::vector<CyclesRow>& rows) {
                    {"rtl", r.rtl},
                    {"fragments", r.fragments},
                    {"seconds", r.seconds},
-                   {"clear", c.clear},
-                   {"announce", c.announce},
-                   {"settle", c.settle},
+                   {"clear", *c.clear},
+                   {"announce", *c.announce},
+                   {"settle", *c.settle},
                    {"edge_texels", c.edge_texels},
                    {"span_texels", c.span_texels},
-                   {"pass1", json_of(c.pass1)},
-                   {"pass2", json_of(c.pass2)}});
+                   {"pass1", json_of(*c.pass1)},
+                   {"pass2", json_of(*c.pass2)}});
   }
   return out;
 }

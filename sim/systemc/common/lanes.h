@@ -1,0 +1,110 @@
+#pragma once
+/// The lanes of pass 2, each with the memories behind its ports, and a pass through them.
+///
+/// Timing: a pass's first cycle is 0; it ends in the cycle after the one in which the last verdict
+///         was taken, that one counted.
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/cycle_causes.h"
+#include "model/engine.h"
+#include "sim/systemc/memory/memory.h"
+
+namespace kagesen::tlm_model {
+
+/// @tparam ShadowLane  of a profile
+template <typename ShadowLane>
+class Lanes {
+ public:
+  explicit Lanes(unsigned lanes) {
+    for (unsigned l = 0; l < lanes; ++l) lanes_.push_back(std::make_unique<Lane>(l));
+  }
+
+  void begin_frame(const Timing& timing) {
+    timing_ = timing;
+    for (auto& l : lanes_) {
+      l->texel_memory.configure(timing);
+      l->slb_memory.configure(timing);
+      l->lane.clear();
+    }
+    passes_ = 0;
+    total_ = fragments_ = 0;
+  }
+
+  /// @param pass    what all lanes have in common
+  /// @param decide  (fragment, trail) -> verdict
+  template <typename Decide>
+  void run(typename ShadowLane::Pass pass, const Fragment* fragments, std::size_t count,
+           Verdict* verdicts, FragmentCycles* cycles, Decide decide) {
+    const PassNumber number{kDecide, passes_++};
+    pass.stride = lanes_.size();
+    for (unsigned l = 0; l < lanes_.size(); ++l) begin_pass(l, pass, number, cycles);
+    std::size_t turn = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      ShadowLane& lane = lanes_[turn]->lane;
+      verdicts[i] = decide(fragments[i], lane.open());
+      lane.take();
+      if (++turn == lanes_.size()) turn = 0;
+    }
+    Cycle taken = 0, total = 1;
+    for (auto& l : lanes_) {
+      if (l->lane.fragments() == 0) continue;
+      l->lane.drain();
+      taken = std::max(taken, l->lane.last_accepted() + 1);
+      total = std::max(total, l->lane.last_retired() + 2);
+    }
+    for (auto& l : lanes_) l->lane.end_pass(taken, total);
+    total_ += total;
+    fragments_ += count;
+  }
+
+  /// Of the frame's passes; causes of the first lane.
+  PassCycles cycles() const {
+    PassCycles out;
+    out.total = total_;
+    out.items = fragments_;
+    const auto& causes = lanes_[0]->lane.causes();
+    for (std::size_t c = 0; c < causes.size(); ++c) out.causes.emplace_back(kLaneCauses[c], causes[c]);
+    return out;
+  }
+
+ private:
+  static constexpr std::uint32_t kDecide = 5;  // shadow_pkg::PassDecide
+
+  struct Lane {
+    ShadowLane lane;
+    Memory texel_memory, slb_memory;
+
+    explicit Lane(unsigned number)
+        : lane(("shadow_lane" + std::to_string(number)).c_str()),
+          texel_memory(("texel_memory" + std::to_string(number)).c_str()),
+          slb_memory(("slb_memory" + std::to_string(number)).c_str()) {
+      lane.texel_port().socket.bind(texel_memory.socket);
+      lane.slb_port().socket.bind(slb_memory.socket);
+    }
+  };
+
+  void begin_pass(unsigned l, typename ShadowLane::Pass& pass, const PassNumber& number,
+                  FragmentCycles* cycles) {
+    Lane& lane = *lanes_[l];
+    lane.texel_memory.begin_pass(number, Channel::kTexelReads, l, pass.texel_bytes);
+    lane.slb_memory.begin_pass(number, Channel::kSlbReads, l, pass.slb_bytes);
+    const auto stalls = [&](Channel channel) {
+      return Stalls(timing_.stream_stall, Chance(timing_.seed, number, channel, l));
+    };
+    pass.offers = stalls(Channel::kFragments);
+    pass.verdicts = stalls(Channel::kVerdicts);
+    pass.cycles = cycles ? cycles + l : nullptr;
+    lane.lane.begin_pass(pass);
+  }
+
+  std::vector<std::unique_ptr<Lane>> lanes_;
+  Timing timing_;
+  std::uint32_t passes_ = 0;  // of this frame
+  std::uint64_t total_ = 0, fragments_ = 0;
+};
+
+}  // namespace kagesen::tlm_model

@@ -1,0 +1,115 @@
+#include "sim/systemc/paper/shadow_lane.h"
+
+#include <algorithm>
+
+namespace kagesen::tlm_model::paper {
+
+ShadowLane::ShadowLane(const sc_core::sc_module_name& name)
+    : sc_module(name), slots("lane_slots"), texels("texel_buffers"), slb("silhouette_buffer") {}
+
+void ShadowLane::begin_pass(const Pass& pass) {
+  pass_ = pass;
+  slots.begin_pass(pass.slots, pass.verdicts);
+  texels.begin_pass(pass.texel_bytes, pass.pitch_log2);
+  slb.begin_pass(pass.slots, pass.slb_bytes);
+  early_.assign(pass.slots, kNever);
+  fragments_ = 0;
+  accepted_ = placed_ = unblamed_ = 0;
+}
+
+void ShadowLane::take() {
+  const std::uint32_t slot = slots.slot_of(fragments_);
+  const unit::FragmentTrail& trail = slb.walk(slot).trail;
+  // The first one is offered from the cycle before the pass on.
+  const Cycle first = fragments_ == 0 ? kNever : accepted_ + 1;
+  Cycle offered = pass_.offers.next(first);
+  if (offered == kNever) offered = 0;
+  accepted_ = std::max({offered, unblamed_, placed_});
+  if (accepted_ > unblamed_) {
+    const Cycle free = std::max(unblamed_, placed_);
+    cause(LaneCause::kTexelPort) += free - unblamed_;
+    cause(LaneCause::kInput) += accepted_ - free;
+  }
+  unblamed_ = accepted_ + 1;
+  ++cause(LaneCause::kFragment);
+  if (pass_.cycles) pass_.cycles[fragments_ * pass_.stride].accepted = accepted_;
+  ++fragments_;
+  slots.open(slot);
+  if (!trail.reads_texel) {
+    placed_ = TexelBuffers::place(accepted_);
+    early_[slot] = kNever;
+    slots.decide(slot, placed_);
+    return;
+  }
+  placed_ = texels.place_to_read(accepted_);
+  const Cycle early = texels.read(placed_, trail.x, trail.y);
+  early_[slot] = early;
+  if (trail.records.empty()) {
+    slots.decide(slot, early);
+  } else {
+    slb.look_up(early, slot);
+  }
+}
+
+/// The oldest fragment leaves. Returns the cycle from which on its slot counts as free.
+Cycle ShadowLane::retire() {
+  const std::uint64_t oldest = slots.retired();
+  while (!slots.decided(slots.slot_of(oldest))) {
+    const SilhouetteBuffer::Step step = slb.step();
+    if (step.last) slots.decide(step.slot, step.decided);
+  }
+  const Cycle fetched = slots.retire();
+  if (pass_.cycles) pass_.cycles[oldest * pass_.stride].retired = slots.last_taken();
+  return fetched + 1;
+}
+
+/// Waits for the slot of the next fragment.
+void ShadowLane::free_slot() {
+  const std::uint32_t oldest = slots.slot_of(slots.retired());
+  const Cycle free = retire();
+  if (free <= unblamed_) return;
+  blame(oldest, unblamed_, free);
+  unblamed_ = free;
+}
+
+/// No slot is free in the cycles [from, to): what keeps the oldest fragment?
+void ShadowLane::blame(std::uint32_t oldest, Cycle from, Cycle to) {
+  const auto until = [&](Cycle end, LaneCause why) {
+    end = std::min(end, to);
+    if (end <= from) return;
+    cause(why) += end - from;
+    from = end;
+  };
+  const Cycle done = slots.done(oldest);
+  if (early_[oldest] != kNever) {
+    until(early_[oldest], LaneCause::kTexel);
+    until(early_[oldest] + 1, LaneCause::kDecision);
+    for (const MemoryPort::Read& read : slb.walk(oldest).reads) {
+      until(read.accepted + 1, LaneCause::kSlbPort);
+      until(read.responded + 1, LaneCause::kSlb);
+      until(slb.decision.decided(read.responded) + 1, LaneCause::kDecision);
+    }
+  } else {
+    until(done, LaneCause::kTexel);
+  }
+  until(to, LaneCause::kVerdict);
+}
+
+void ShadowLane::drain() {
+  if (fragments_ >= slots.count()) free_slot();
+  while (slots.retired() < fragments_) retire();
+}
+
+void ShadowLane::end_pass(Cycle all_taken, Cycle cycles) {
+  const auto until = [&](Cycle end, LaneCause why) {
+    end = std::min(end, cycles);
+    if (end <= unblamed_) return;
+    cause(why) += end - unblamed_;
+    unblamed_ = end;
+  };
+  until(placed_, LaneCause::kTexelPort);
+  until(all_taken, LaneCause::kInput);
+  until(cycles, LaneCause::kDrain);
+}
+
+}  // namespace kagesen::tlm_model::paper

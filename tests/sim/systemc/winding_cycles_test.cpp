@@ -1,0 +1,48 @@
+/// SystemC and the Verilated unit, winding profile: every fragment's cycles, every cause's total.
+#include <random>
+
+#include "tests/sim/systemc/side_by_side.h"
+
+namespace kagesen {
+namespace {
+
+UnitConfig small_config() {
+  UnitConfig config;
+  config.profile = Profile::kWinding;
+  config.map_width = config.map_height = 64;
+  return config;
+}
+
+TEST(WindingCycles, DefaultTiming) {
+  for (const char* scene : {"solids", "glyphs", "torus"}) {
+    for (const double scale : {1., 4., 16.}) {
+      SCOPED_TRACE(testing::Message() << scene << " scale " << scale);
+      expect_equal_cycles(small_trace(scene, 64, 96, scale), small_config(), {});
+      if (HasFailure()) return;
+    }
+  }
+}
+
+TEST(WindingCycles, RandomTimings) {
+  std::mt19937 random(1);
+  const auto one_of = [&](std::initializer_list<std::uint32_t> values) {
+    return values.begin()[random() % values.size()];
+  };
+  const Trace trace = small_trace("glyphs", 64, 64, 4);
+  for (int round = 0; round < 60; ++round) {
+    Timing timing;
+    timing.latency = one_of({1, 2, 3, 7, 20, 61, 200});
+    timing.spread = one_of({0, 0, 1, 5, 100});
+    timing.memory_stall = one_of({0, 0, 10, 70});
+    timing.stream_stall = one_of({0, 0, 10, 70});
+    timing.interval = one_of({1, 1, 2, 5});
+    timing.outstanding = one_of({0, 0, 1, 3, 16});
+    timing.seed = random();
+    SCOPED_TRACE(testing::Message() << "round " << round);
+    expect_equal_cycles(trace, small_config(), timing, one_of({0, 0, 1, 97}));
+    if (HasFailure()) return;
+  }
+}
+
+}  // namespace
+}  // namespace kagesen
