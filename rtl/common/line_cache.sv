@@ -80,6 +80,7 @@ module line_cache #(
   logic [Lines-1:0] valid_q, busy_q, valid_d, busy_d;
   logic [Lines-1:0] updated_q;           // the word is in the memory of updates
   logic [Lines-1:0] hinted_q, again_q;   // a lookup is still to come, and another one
+  logic [Lines-1:0] awaited;
 
   logic                lookup_valid_q, forward_q, forward_way_q, raced_q, met_q, hint_valid_q, hint_raced_q, hinting_q;
   logic                rd_valid_q, wr_valid_q, turn_q;  // which way the next choice among equals takes
@@ -102,6 +103,9 @@ module line_cache #(
   assign update_set = set_of(update_addr_i);
   assign rsp_line   = rsp_tag_i[LineBits-1:0];
 
+  // A hint of a line without a word says nothing: it is undefined at first.
+  assign awaited = valid_q & hinted_q;
+
   // ---- Lookup: the way that holds the word; or the one it will take ----------------------------
   always_comb begin
     present     = 1'b0;
@@ -111,8 +115,8 @@ module line_cache #(
     // The one that no hint needs, if there is one.
     for (int unsigned w = 0; w < Ways; w++) begin
       if (!busy_q[line_of(lookup_set, 1'(w))] && (!lookup_free
-          || (hinted_q[line_of(lookup_set, lookup_way)] && !hinted_q[line_of(lookup_set, 1'(w))])
-          || (hinted_q[line_of(lookup_set, lookup_way)] == hinted_q[line_of(lookup_set, 1'(w))] && turn_q))) begin
+          || (awaited[line_of(lookup_set, lookup_way)] && !awaited[line_of(lookup_set, 1'(w))])
+          || (awaited[line_of(lookup_set, lookup_way)] == awaited[line_of(lookup_set, 1'(w))] && turn_q))) begin
         lookup_free = 1'b1;
         lookup_way  = 1'(w);
       end
@@ -152,7 +156,7 @@ module line_cache #(
       end
       // The lookup's set is left alone by hints: what it reads now, it will write.
       if (!busy_q[line_of(hint_set, 1'(w))] && (!lookup_valid_q || (lookup_set != hint_set
-          && !(valid_q[line_of(hint_set, 1'(w))] && hinted_q[line_of(hint_set, 1'(w))])))
+          && !awaited[line_of(hint_set, 1'(w))]))
           && !(hint_free && hint_way == turn_q)) begin
         hint_free = 1'b1;
         hint_way  = 1'(w);
@@ -245,8 +249,12 @@ module line_cache #(
       rd_valid_q     <= 1'b0;
       wr_valid_q     <= 1'b0;
       turn_q         <= 1'b0;
+      met_q          <= 1'b0;
     end else begin
       turn_q  <= turn_q ^ fill;
+      // As hints do, lookups of one word that follow each other count once.
+      if (lookup_i) met_q <= lookup_addr_i == lookup_q && (met_q || hit_o);
+      else if (hit_o) met_q <= 1'b1;
       valid_q <= valid_d;
       busy_q  <= busy_d;
       if (clear_i) begin
@@ -285,9 +293,6 @@ module line_cache #(
       raced_q       <= (updating && update_set == read_set) || (keep_rsp && set_of_line(rsp_line) == read_set)
                     || (key_write && key_set == read_set);
     end
-    // As hints do, lookups of one word that follow each other count once.
-    if (lookup_i) met_q <= lookup_addr_i == lookup_q && (met_q || hit_o);
-    else if (hit_o) met_q <= 1'b1;
     if (hint_again && !(met_now && hint_line == lookup_line)) begin
       again_q[hint_line]  <= hinted_q[hint_line];
       hinted_q[hint_line] <= 1'b1;

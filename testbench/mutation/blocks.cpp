@@ -10,6 +10,7 @@ const std::vector<MutationBlock>& mutation_blocks() {
       {"divider", "divider_test", "divider_test_dut", 60},
       {"multiplier", "multiplier_test", "multiplier_test_dut", 20},
       {"line_cache", "line_cache_test", "line_cache_test_dut", 100, {{"data_o", "hit_o"}}},
+      {"line_cache_ways", "line_cache_test", "line_cache_ways_dut", 60, {{"data_o", "hit_o"}}},
       {"lane_slots", "lane_slots_test", "lane_slots_test_dut", 80},
       {"corner_functions", "corner_functions_test", "corner_functions_test_dut", 60},
       {"visited_rows", "visited_rows_test", "visited_rows_test_dut", 60},
