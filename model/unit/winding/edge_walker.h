@@ -32,6 +32,23 @@ class EdgeWalker {
   void next_row();
   bool last_row() const { return v_ == last_v_; }
 
+  /// What the edge's setup works out: borders that it crosses, and of the other coordinate how far
+  /// it is to the first of them, and from border to border; rounded down.
+  struct Figures {
+    std::int32_t borders_u, borders_v;
+    std::int64_t offset_v, step_v;  ///< where borders along u are crossed
+    std::int64_t offset_u, step_u;
+  };
+  /// @pre no step was made
+  Figures figures() const {
+    return {last_u_ - u_,
+            last_v_ - v_,
+            v_at_u_.whole - entry_.v.whole,
+            v_at_u_.step_whole,
+            u_at_v_.whole - entry_.u.whole,
+            u_at_v_.step_whole};
+  }
+
  private:
   struct Exact {  // whole + a fraction in [0, 1), units
     std::int64_t whole, rest, base;

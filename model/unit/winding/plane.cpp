@@ -88,9 +88,12 @@ bool FacetPlane::take_narrow(const Caster& caster) {
   const Int128 length = e.squared(), area = Int128{e.x} * third.y - Int128{e.y} * third.x;
   if (16 * length <= radius * radius) {
     origin_z_ = std::max({c.vertex[0].z, c.vertex[1].z, c.vertex[2].z});
+    shape_ = Figures::kTiny;
     return true;
   }
   if (16 * area * area > length * radius * radius) return false;
+  shape_ = Figures::kNarrow;
+  narrow_third_ = c.vertex[(longest + 2) % 3];
   denominator_ = e.squared();
   gradient_x_ = e.z * e.x;
   gradient_y_ = e.z * e.y;
@@ -131,6 +134,29 @@ ExactRamp FacetPlane::ramp(std::int32_t texel_x, std::int32_t texel_y) const {
   const Int128 y = texel_y * texel + texel / 2 - origin_y_;
   return ExactRamp::make(origin_z_, gradient_x_ * x + gradient_y_ * y, Int128{gradient_x_} * texel,
                          denominator_);
+}
+
+FacetPlane::Figures FacetPlane::figures(const Caster& facet, std::int32_t texel_x,
+                                        std::int32_t texel_y) const {
+  const Int128 texel = Int128{1} << w_.texel_bits;
+  Figures out{shape_,
+              denominator_,
+              floor_div(gradient_x_ * texel, denominator_),
+              floor_div(gradient_y_ * texel, denominator_),
+              ramp(texel_x, texel_y).whole - origin_z_,
+              0};
+  if (shape_ != Figures::kNarrow) return out;
+  // From the end that comes after the third vertex as the facet has them.
+  for (int i = 0; i < 3; ++i) {
+    const LightPoint& third = facet.vertex[i];
+    const LightPoint& from = facet.vertex[(i + 1) % 3];
+    if (third.x != narrow_third_.x || third.y != narrow_third_.y) continue;
+    const Edge e = edge(from, facet.vertex[(i + 2) % 3]), way = edge(from, third);
+    out.third = floor_div(Int128{e.z} * (e.x * way.x + e.y * way.y), denominator_);
+    const Int128 x = texel_x * texel + texel / 2 - from.x, y = texel_y * texel + texel / 2 - from.y;
+    out.start = floor_div(gradient_x_ * x + gradient_y_ * y, denominator_);
+  }
+  return out;
 }
 
 Threshold FacetPlane::in(std::int32_t texel_x, std::int32_t texel_y) const {

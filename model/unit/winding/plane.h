@@ -89,6 +89,16 @@ class FacetPlane {
   Threshold in(std::int32_t texel_x, std::int32_t texel_y) const;
   /// base() of texels along a row, one addition each.
   ExactRamp ramp(std::int32_t texel_x, std::int32_t texel_y) const;
+  /// What the setup divides; quotients are rounded down.
+  struct Figures {
+    enum Shape : std::uint8_t { kPlane, kNarrow, kTiny } shape;
+    std::int64_t denominator;
+    std::int64_t step_x, step_y;  ///< depth a texel
+    std::int64_t start;           ///< in a texel, less the origin's
+    std::int64_t third;  ///< narrow: along the longest edge, from one of its ends to the third vertex
+  };
+  /// @param facet  as at construction  @param texel_x, texel_y  of `start`
+  Figures figures(const Caster& facet, std::int32_t texel_x, std::int32_t texel_y) const;
   Threshold at(const ExactRamp& depth) const { return {base(depth.whole), code_x_, code_y_}; }
 
  private:
@@ -102,6 +112,8 @@ class FacetPlane {
   // origin_z_ + (gradient_x_ x + gradient_y_ y) / denominator_.
   std::int64_t origin_x_ = 0, origin_y_ = 0, origin_z_ = 0;
   std::int64_t gradient_x_ = 0, gradient_y_ = 0, denominator_ = 1;
+  Figures::Shape shape_ = Figures::kPlane;
+  LightPoint narrow_third_{};  // beside the longest edge
   std::uint16_t code_x_ = 0, code_y_ = 0;
   std::int64_t bias_ = 0;
 };

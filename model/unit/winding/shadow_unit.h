@@ -15,6 +15,7 @@
 #include "model/unit/winding/plane.h"
 #include "model/unit/winding/silhouette_buffer.h"
 #include "model/unit/winding/texel_buffers.h"
+#include "model/unit/winding/triangle_trail.h"
 
 namespace kagesen::unit::winding {
 
@@ -29,6 +30,8 @@ class ShadowUnit {
   void begin(const UnitConfig& config, const FrameSetup& setup);
   void announce(const Fragment* fragments, std::size_t count);  ///< receiver mask
   void draw(const Caster& caster);                              ///< pass 1
+  /// The same, and what was done. @param trail  cleared
+  void draw(const Caster& caster, TriangleTrail& trail);
   /// Ends pass 1: clusters without segments become covers, tiles are summed up. Idempotent.
   void settle();
   /// Pass 2: a verdict a fragment.
@@ -75,6 +78,8 @@ class ShadowUnit {
   // Pass 1
   void walk_edge(const Drawn& facet, int index, unsigned passed, bool inner);
   void pass_inner_edge(const Drawn& facet, int index, unsigned passed);
+  void begin_trail(const Drawn& facet);
+  void begin_edge_trail(const Drawn& facet, int index, bool passed, const EdgeWalker& walker);
   void fill_spans(const Drawn& facet);
   bool covers_corner(const Drawn& facet, std::int32_t x, std::int32_t y) const {
     return facet.polygon.covers_corner(x - centre_x_, y - centre_y_);
@@ -141,6 +146,7 @@ class ShadowUnit {
   std::unordered_map<std::uint32_t, OftenRead> indices_;  // pass 2, by the list's head
   bool settled_ = true;
   UnitCounters counters_;
+  TriangleTrail* trail_ = nullptr;  // of the facet being drawn, or null
 };
 
 }  // namespace kagesen::unit::winding

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <tuple>
 
 #include "model/unit/winding/shadow_unit.h"
 
@@ -50,6 +51,13 @@ void ShadowUnit::announce(const Fragment* fragments, std::size_t count) {
   tile->last_fragment = std::max(tile->last_fragment, last);
 }
 
+void ShadowUnit::draw(const Caster& caster, TriangleTrail& trail) {
+  trail.clear();
+  trail_ = &trail;
+  draw(caster);
+  trail_ = nullptr;
+}
+
 void ShadowUnit::draw(const Caster& caster) {
   const std::uint64_t number = counters_.casters++;
   const Polygon polygon(caster, widths_.texel_bits);
@@ -59,6 +67,10 @@ void ShadowUnit::draw(const Caster& caster) {
   const bool shares = hint.plane != Facet::kOwnPlane;
   const FacetPlane plane(caster, shares ? &planes_[hint.plane] : nullptr, widths_);
   const Drawn facet{caster, polygon, plane, unit_id(caster.object)};
+  if (trail_ != nullptr) {
+    trail_->shares = shares;
+    begin_trail(facet);
+  }
 
   const LightPoint* v = caster.vertex;
   const auto [low, high] = std::minmax({v[0].y, v[1].y, v[2].y});
@@ -82,14 +94,37 @@ void ShadowUnit::draw(const Caster& caster) {
   fill_spans(facet);
 }
 
+void ShadowUnit::begin_trail(const Drawn& facet) {
+  const LightPoint* v = facet.caster.vertex;
+  const LightPoint low = *std::min_element(v, v + 3, [](const LightPoint& a, const LightPoint& b) {
+    return std::tie(a.y, a.x) < std::tie(b.y, b.x);
+  });
+  const std::int32_t x = low.x >> widths_.texel_bits, y = low.y >> widths_.texel_bits;
+  trail_->flat = false;
+  trail_->twice_area = facet.polygon.twice_area();
+  trail_->plane = facet.plane.figures(facet.caster, x, y);
+  trail_->low = {x + centre_x_, y + centre_y_};
+}
+
+void ShadowUnit::begin_edge_trail(const Drawn& facet, int index, bool passed,
+                                  const EdgeWalker& walker) {
+  const LightPoint* v = facet.caster.vertex;
+  const auto a = static_cast<unsigned>(index), b = (a + 1) % 3;
+  const bool upward = std::tie(v[a].y, v[a].x) < std::tie(v[b].y, v[b].x);
+  const unsigned from = upward ? a : b, to = upward ? b : a;
+  trail_->begin_edge({from, to, passed, v[to].x >= v[from].x, walker.figures(), 0});
+}
+
 /// @param passed  edges walked before: the corner of a texel that they visited is counted
 void ShadowUnit::walk_edge(const Drawn& facet, int index, unsigned passed, bool inner) {
   ++counters_.edges;
   const LightPoint* v = facet.caster.vertex;
   EdgeWalker walker(v[index], v[(index + 1) % 3], v[(index + 2) % 3], widths_.texel_bits,
                     widths_.end_bits);
+  if (trail_ != nullptr) begin_edge_trail(facet, index, false, walker);
   for (;; walker.step()) {
     const std::int32_t x = walker.x() + centre_x_, y = walker.y() + centre_y_;
+    if (trail_ != nullptr) trail_->outline.push_back({x, y});
     if (static_cast<std::uint32_t>(y) < texels_.height()) {
       rows_.visit(index, x, y);
       Visit at;
@@ -116,8 +151,10 @@ void ShadowUnit::pass_inner_edge(const Drawn& facet, int index, unsigned passed)
   const LightPoint* v = facet.caster.vertex;
   EdgeWalker walker(v[index], v[(index + 1) % 3], v[(index + 2) % 3], widths_.texel_bits,
                     widths_.end_bits);
+  if (trail_ != nullptr) begin_edge_trail(facet, index, true, walker);
   for (;; walker.next_row()) {
     const std::int32_t y = walker.y() + centre_y_;
+    if (trail_ != nullptr) trail_->add_row(walker, centre_x_, y);
     if (static_cast<std::uint32_t>(y) < texels_.height()) {
       std::int32_t low, high;
       walker.row(low, high);
@@ -128,8 +165,10 @@ void ShadowUnit::pass_inner_edge(const Drawn& facet, int index, unsigned passed)
       high = std::min(high, static_cast<std::int32_t>(texels_.width()) - 1);
       for (std::int32_t x = std::max(low, 0); x <= high; ++x) {
         ++counters_.skips.inner_edge_texels;
+        const bool corner = !rows_.visited(passed, x, y) && covers_corner(facet, x, y);
+        if (trail_ != nullptr) trail_->add_corner(corner);
         Visit at;
-        if (rows_.visited(passed, x, y) || !covers_corner(facet, x, y) ||
+        if (!corner ||
             !visit(x, y, facet.plane.in(x - centre_x_, y - centre_y_), facet.object, at)) {
           continue;
         }
@@ -147,6 +186,7 @@ void ShadowUnit::fill_spans(const Drawn& facet) {
     to = std::min(to, last_column);
     if (from > to) return;
     counters_.span_texels += static_cast<std::uint64_t>(to - from + 1);
+    if (trail_ != nullptr) trail_->gaps.push_back({y, from, to});
     ExactRamp depth = facet.plane.ramp(from - centre_x_, y - centre_y_);
     for (std::int32_t x = from; x <= to; ++x, depth.advance()) {
       Visit at;

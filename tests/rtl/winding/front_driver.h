@@ -122,7 +122,7 @@ class FrontDriver {
   GoldenVisitCounts counts;
   FrontCycles cycles;
 
- private:
+ protected:
   void clock() {
     dut_.clk_i = 1;
     dut_.eval();

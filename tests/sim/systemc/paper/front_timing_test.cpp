@@ -9,48 +9,12 @@
 #include "sim/systemc/paper/front.h"
 #include "tests/model/random_casters.h"
 #include "tests/rtl/paper/front_driver.h"
+#include "tests/sim/systemc/front_timeline.h"
 #include "traces/raster/capture.h"
 #include "traces/scene/scene.h"
 
 namespace kagesen::tlm_model::paper {
 namespace {
-
-/// What a front did, and when. Cycles count from the first one.
-struct Timeline {
-  struct Taken {
-    Cycle at;
-    int kind;
-    std::int32_t x, y;
-  };
-  std::vector<Cycle> triangles;  ///< when each was taken
-  std::vector<Taken> visits;
-  std::uint64_t setup = 0, none = 0, walk = 0;  ///< cycles in which no visit was offered
-  Cycle idle = 0;                               ///< the first cycle after all was done
-};
-
-/// A store that takes a visit in each cycle in which it does not stall.
-struct StallingStore : VisitTaker {
-  StallingStore(const Stalls& s, FrontCauses& c, Timeline& t) : stalls(s), causes(c), line(t) {}
-  Cycle take(const Visit& visit, Cycle offered) override {
-    count(offered);
-    const Cycle at = stalls.next(offered);
-    const bool place = visit.kind == Visit::kEdge || visit.kind == Visit::kSpan;
-    line.visits.push_back({at, visit.kind, place ? visit.x : 0, place ? visit.y : 0});
-    free = at + 1;
-    return at;
-  }
-  bool ready(Cycle at) override { return !stalls.at(at); }
-  void count(Cycle to) {
-    const FrontCauses::Cycles cycles = causes.of(free, to);
-    line.setup += cycles.setup;
-    line.none += cycles.none;
-    line.walk += cycles.walk;
-  }
-  Stalls stalls;
-  FrontCauses& causes;
-  Timeline& line;
-  Cycle free = 0;  // the first cycle without a visit
-};
 
 struct Case {
   std::vector<Caster> casters;
@@ -59,21 +23,21 @@ struct Case {
   Stalls offers, store;
 };
 
-Timeline model(const Case& run) {
-  Timeline line;
+FrontTimeline model(const Case& run) {
+  FrontTimeline line;
   FrameSetup setup;
   setup.fraction_bits = run.texel_bits;
   unit::ShadowUnit golden;
   golden.begin(run.config, setup);
   static Front front("front");
-  StallingStore store(run.store, front.causes(), line);
+  StallingStore<Visit> store(run.store, front.causes(), line);
   front.begin_pass(run.config, run.texel_bits, store);
   unit::TriangleTrail trail;
   Cycle free = 0;
   for (const Caster& caster : run.casters) {
     golden.draw(caster, trail);
     const Cycle taken = front.draw(trail, run.offers.next(free));
-    line.triangles.push_back(taken);
+    line.beats.push_back(taken);
     free = taken + 1;
   }
   line.idle = front.idle();
@@ -81,8 +45,8 @@ Timeline model(const Case& run) {
   return line;
 }
 
-Timeline verilog(rtl::FrontDriver<Vfront_test_dut>& driver, const Case& run) {
-  Timeline line;
+FrontTimeline verilog(rtl::FrontDriver<Vfront_test_dut>& driver, const Case& run) {
+  FrontTimeline line;
   driver.settings(run.config, static_cast<int>(run.texel_bits));
   Vfront_test_dut& dut = driver.dut;
   dut.clear_i = 1;
@@ -91,14 +55,14 @@ Timeline verilog(rtl::FrontDriver<Vfront_test_dut>& driver, const Case& run) {
   dut.clear_i = 0;
   bool offered = false;
   for (Cycle now = 0;; ++now) {
-    if (!offered && line.triangles.size() < run.casters.size() && !run.offers.at(now)) {
+    if (!offered && line.beats.size() < run.casters.size() && !run.offers.at(now)) {
       offered = true;
-      driver.offer(run.casters[line.triangles.size()]);
+      driver.offer(run.casters[line.beats.size()]);
     }
     dut.tri_valid_i = offered;
     dut.visit_ready_i = !run.store.at(now);
     dut.eval();
-    if (dut.idle_o && line.triangles.size() == run.casters.size()) {
+    if (dut.idle_o && line.beats.size() == run.casters.size()) {
       line.idle = now;
       return line;
     }
@@ -108,7 +72,7 @@ Timeline verilog(rtl::FrontDriver<Vfront_test_dut>& driver, const Case& run) {
       line.visits.push_back({now, dut.kind_o, place ? dut.x_o : 0, place ? dut.y_o : 0});
     }
     if (dut.tri_valid_i && dut.tri_ready_o) {
-      line.triangles.push_back(now);
+      line.beats.push_back(now);
       offered = false;
     }
     driver.tick();
@@ -116,20 +80,8 @@ Timeline verilog(rtl::FrontDriver<Vfront_test_dut>& driver, const Case& run) {
 }
 
 void compare(rtl::FrontDriver<Vfront_test_dut>& driver, const Case& run) {
-  const Timeline expected = verilog(driver, run), got = model(run);
-  for (std::size_t i = 0; i < expected.visits.size(); ++i) {
-    ASSERT_LT(i, got.visits.size());
-    const Timeline::Taken &a = got.visits[i], &b = expected.visits[i];
-    ASSERT_TRUE(a.at == b.at && a.kind == b.kind && a.x == b.x && a.y == b.y)
-        << "visit " << i << ": model " << a.kind << " (" << a.x << ", " << a.y << ") in cycle "
-        << a.at << ", Verilog " << b.kind << " (" << b.x << ", " << b.y << ") in cycle " << b.at;
-  }
-  ASSERT_EQ(got.visits.size(), expected.visits.size());
-  ASSERT_EQ(got.triangles, expected.triangles);
-  EXPECT_EQ(got.idle, expected.idle);
-  EXPECT_EQ(got.setup, expected.setup);
-  EXPECT_EQ(got.none, expected.none);
-  EXPECT_EQ(got.walk, expected.walk);
+  const FrontTimeline expected = verilog(driver, run);
+  expect_same(model(run), expected);
 }
 
 class FrontTiming : public testing::Test {
