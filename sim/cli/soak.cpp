@@ -1,170 +1,75 @@
 #include <fmt/format.h>
 
+#include <fstream>
 #include <iostream>
 #include <memory>
+#include <tuple>
 
-#include "model/frame_setup.h"
 #include "sim/cli/check_options.h"
 #include "sim/cli/commands.h"
-#include "sim/cli/lock_step_check.h"
 #include "sim/cli/parse.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/settings.h"
+#include "sim/cli/soak/rounds.h"
 #include "sim/cli/stopwatch.h"
 #include "sim/report/outputs.h"
 #include "tests/stress/state_file.h"
 #include "traces/format/error.h"
 #include "traces/format/words.h"
-#include "traces/raster/capture.h"
-#include "traces/scene/scene.h"
 
 namespace kagesen {
 namespace {
 
-using stress::Dice;
 using stress::State;
 using stress::Totals;
 
 struct SoakArguments {
-  std::string hours, seed, only_case, profile = "both", folder = "out/soak", json, build = "check";
+  std::string hours, fragments, seed, only_case, profile = "both", image = "1920x1080",
+                                                  folder = "out/soak", json, build = "check";
   SettingsOptions settings;
   bool resume = false;
 };
 
-/// A frame to run, and how.
-struct Round {
-  std::string family;  ///< of the totals
-  Trace trace;
-  UnitConfig config;
-  FrameSetup setup;
-  std::size_t portions = 0;
-  Timing timing;
-  std::uint64_t cuts = 0, cut_seed = 0;
-};
+RoundPlan plan_of(const SoakArguments& arguments) {
+  RoundPlan plan;
+  plan.config = load_settings(arguments.settings).config;
+  std::tie(plan.image_width, plan.image_height) = parse_size("--image", arguments.image, 4096);
+  if (arguments.profile == "both") return plan;
+  if (arguments.profile != "paper" && arguments.profile != "winding") {
+    throw UserError("--profile", "there is no '" + arguments.profile + "'",
+                    "choose one of paper, winding, both");
+  }
+  plan.profile = arguments.profile == "paper" ? Profile::kPaper : Profile::kWinding;
+  return plan;
+}
 
-class Soak {
+BuildKind build_of(const SoakArguments& arguments) {
+  BenchOptions build;
+  build.build = arguments.build;
+  return build_kind(build);
+}
+
+/// A line a frame, so that a figure of the totals can be taken apart.
+class RoundLog {
  public:
-  explicit Soak(const SoakArguments& arguments)
-      : arguments_(arguments), config_(load_settings(arguments.settings).config) {
-    BenchOptions build;
-    build.build = arguments.build;
-    RtlOptions options;
-    options.kind = build_kind(build);
-    engine_ = std::make_unique<RtlEngine>(options);
-    if (arguments.profile != "both" && arguments.profile != "paper" &&
-        arguments.profile != "winding") {
-      throw UserError("--profile", "there is no '" + arguments.profile + "'",
-                      "choose one of paper, winding, both");
+  RoundLog(const std::string& path, bool resume)
+      : out_(path, resume ? std::ios::app : std::ios::trunc) {
+    if (!resume) {
+      out_ << "seed,case,family,profile,triangles,fragments,times,cut,cycles,differences,seconds\n";
     }
   }
-
-  /// Builds what is wanted, so that it is not counted as time spent.
-  void prepare() {
-    for (const Profile profile : {Profile::kPaper, Profile::kWinding}) {
-      const bool paper = profile == Profile::kPaper;
-      if (arguments_.profile == (paper ? "winding" : "paper")) continue;
-      UnitConfig config = config_;
-      config.profile = profile;
-      engine_->prepare(config);
-    }
-  }
-
-  /// Everything about a round follows from seed and number.
-  Round draw(std::uint64_t seed, std::uint64_t number) const {
-    Dice dice = Dice::of_case(seed, number);
-    Round round;
-    const Profile profile = arguments_.profile == "paper"     ? Profile::kPaper
-                            : arguments_.profile == "winding" ? Profile::kWinding
-                            : dice.one_in(2)                  ? Profile::kPaper
-                                                              : Profile::kWinding;
-    const bool hints = !dice.one_in(4);
-    round.config = config_;
-    if (dice.one_in(2)) {
-      draw_stress(seed, number, profile, round);
-    } else {
-      draw_scene(dice, round);
-    }
-    round.config.profile = profile;
-    if (!dice.one_in(4)) draw_registers(dice, round.config);
-    round.config.map_width = round.trace.header.map_width;
-    round.config.map_height = round.trace.header.map_height;
-    round.setup = stress::frame_setup(round.trace, {round.config, hints});
-    round.timing = draw_timing(dice);
-    if (dice.one_in(8)) round.portions = static_cast<std::size_t>(dice.in(1, 5000));
-    round.cuts = dice.one_in(2) ? 0 : static_cast<std::uint64_t>(dice.in(1, 3));
-    round.cut_seed = dice.next();
-    return round;
-  }
-
-  LockStepResult run(const Round& round) {
-    const Frame frame{round.trace, round.config, round.setup, round.portions};
-    expected_ = expect(frame);
-    engine_->set_timing(round.timing);
-    try {
-      for (std::uint64_t i = 0; i < round.cuts && cycles_; ++i) {
-        cut_frame(frame, *engine_,
-                  i % 2 == 0 ? bench::Bench::Cut::kAbort : bench::Bench::Cut::kReset,
-                  round.cut_seed + i, *cycles_);
-      }
-    } catch (const bench::Failure& failure) {
-      engine_->bench().reset();
-      LockStepResult result;
-      result.fragments = round.trace.all_fragments.size();
-      result.failures = 1;
-      result.first.emplace();
-      result.first->kind = "failure";
-      result.first->lines = {std::string("cut short: ") + failure.what()};
-      return result;
-    }
-    LockStepResult result = lock_step(frame, expected_, *engine_);
-    if (result.cycles) cycles_ = result.cycles;
-    if (result.failures > 0) engine_->bench().reset();
-    return result;
-  }
-
-  std::vector<std::string> wave(const Round& round, const FirstDifference& first,
-                                const std::string& path) const {
-    const Frame frame{round.trace, round.config, round.setup, round.portions};
-    return write_wave(frame, expected_, first, round.timing, path);
+  void add(const State& state, const Round& round, const LockStepResult& result, double seconds) {
+    const std::uint64_t cycles = result.cycles ? result.cycles->total() : 0;
+    out_ << fmt::format("{},{},{},{},{},{},{},{},{},{},{:.1f}", state.seed, state.next_case,
+                        round.family, get_field(round.config, "profile"),
+                        round.trace.all_casters.size(), result.fragments, 1 + round.again.size(),
+                        round.cuts, cycles, differences(result), seconds)
+         << std::endl;
   }
 
  private:
-  void draw_stress(std::uint64_t seed, std::uint64_t number, Profile profile, Round& round) const {
-    stress::CaseOptions options;
-    options.profile = profile;
-    options.config = config_;
-    for (const std::string& key : width_keys()) options.given.insert(key);
-    stress::StressCase test = stress::make_case(seed, number, options);
-    round.family = test.family->name;
-    if (!test.plan.empty()) round.config = test.plan[number % test.plan.size()].setting.config;
-    round.trace = std::move(test.trace);
-  }
-
-  void draw_scene(Dice& dice, Round& round) const {
-    const std::vector<SceneInfo> scenes = builtin_scenes();
-    const SceneInfo& info = scenes[dice.index(scenes)];
-    round.family = "scene " + info.name;
-    CaptureOptions capture;
-    capture.map_width = static_cast<std::uint32_t>(dice.pick({64, 100, 256, 512, 1024, 1024}));
-    capture.map_height =
-        dice.one_in(4) ? static_cast<std::uint32_t>(dice.in(1, 1024)) : capture.map_width;
-    capture.scale_x = capture.scale_y = dice.pick({1.0, 1.0, 4.0, 16.0, 64.0, 256.0});
-    const int side = dice.small(1, 6);  // of sixths of full HD
-    capture.image_width = static_cast<std::uint32_t>(320 * side);
-    capture.image_height = static_cast<std::uint32_t>(180 * side);
-    kagesen::capture(make_builtin(info.name), capture, round.trace);
-  }
-
-  const SoakArguments& arguments_;
-  const UnitConfig config_;
-  std::unique_ptr<RtlEngine> engine_;
-  std::optional<CycleReport> cycles_;  // of the frame before: where cuts may fall
-  Expected expected_;
+  std::ofstream out_;
 };
-
-std::uint64_t differences(const LockStepResult& r) {
-  return r.verdict_differences + r.buffer_differences + r.counter_differences + r.failures;
-}
 
 stress::Failure& failure_of(State& state, const std::string& family, const std::string& kind) {
   for (stress::Failure& f : state.failures) {
@@ -180,6 +85,7 @@ stress::Failure& failure_of(State& state, const std::string& family, const std::
 std::string replay_line(const SoakArguments& arguments, const State& state, std::uint64_t number) {
   std::string text = fmt::format("kagesen soak --seed {} --case {}", state.seed, number);
   if (arguments.profile != "both") text += " --profile " + arguments.profile;
+  if (arguments.image != "1920x1080") text += " --image " + arguments.image;
   if (!arguments.settings.file.empty()) text += " --config " + arguments.settings.file;
   for (const std::string& set : arguments.settings.sets) text += " --set " + set;
   return text;
@@ -228,8 +134,7 @@ std::string table(const State& state) {
 
 void soak_once(const SoakArguments& arguments, std::uint64_t seed) {
   const std::uint64_t number = parse_count("--case", arguments.only_case, 0, 0x1p53);
-  Soak soak(arguments);
-  const Round round = soak.draw(seed, number);
+  const Round round = draw_round(plan_of(arguments), seed, number);
   std::cout << fmt::format("{}: {}, {}\n", round.family,
                            counted(round.trace.all_casters.size(), "triangle"),
                            counted(round.trace.all_fragments.size(), "fragment"));
@@ -239,20 +144,36 @@ void soak_once(const SoakArguments& arguments, std::uint64_t seed) {
       std::cout << fmt::format("  {} = {}\n", field.key, value);
     }
   }
-  const LockStepResult result = soak.run(round);
+  RoundRunner runner(build_of(arguments));
+  const LockStepResult result = runner.run(round);
   std::cout << fmt::format("{} verdicts, {} texels, {} counters, {} failures differ\n",
                            result.verdict_differences, result.buffer_differences,
                            result.counter_differences, result.failures);
   if (result.first) {
+    const std::string& kind = result.first->kind;
     for (const std::string& line : result.first->lines) std::cout << "  " << line << "\n";
-    if (result.first->kind != "counter") {
+    if (kind != "counter" && kind != "repeat") {
       const std::string path = fmt::format("{}/case-{}.fst", arguments.folder, number);
-      for (const std::string& line : soak.wave(round, *result.first, path)) {
+      for (const std::string& line : runner.wave(round, *result.first, path)) {
         std::cout << "  " << line << "\n";
       }
     }
   }
   if (!result.equal()) throw CLI::RuntimeError(1);
+}
+
+State first_state(const SoakArguments& arguments) {
+  State state;
+  state.seed = 1;
+  if (arguments.resume) state = stress::read_state(arguments.folder + "/state.json");
+  if (arguments.seed.empty()) return state;
+  const std::uint64_t seed = parse_count("--seed", arguments.seed, 0, 0x1p53);
+  if (arguments.resume && seed != state.seed) {
+    throw UserError("--seed", fmt::format("the run to go on with has seed {}", state.seed),
+                    "leave --seed or --resume out");
+  }
+  state.seed = seed;
+  return state;
 }
 
 void run_soak(const SoakArguments& arguments) {
@@ -261,42 +182,42 @@ void run_soak(const SoakArguments& arguments) {
   const bool to_stdout = arguments.json == "-";
   std::ostream* json =
       arguments.json.empty() || to_stdout ? nullptr : &outputs.open(arguments.json, "--json");
-  const std::string path = arguments.folder + "/state.json";
-  State state;
-  state.seed = 1;
-  if (arguments.resume) state = stress::read_state(path);
-  if (!arguments.seed.empty()) {
-    const std::uint64_t seed = parse_count("--seed", arguments.seed, 0, 0x1p53);
-    if (arguments.resume && seed != state.seed) {
-      throw UserError("--seed", fmt::format("the run to go on with has seed {}", state.seed),
-                      "leave --seed or --resume out");
-    }
-    state.seed = seed;
-  }
+  State state = first_state(arguments);
   if (!arguments.only_case.empty()) {
     outputs.commit();
     return soak_once(arguments, state.seed);
   }
-  const double hours =
-      arguments.hours.empty() ? 0.05 : parse_number("--hours", arguments.hours, 0.0001, 1e5);
-  Soak soak(arguments);
-  soak.prepare();
+  const double seconds =
+      3600 *
+      (arguments.hours.empty() ? 0.05 : parse_number("--hours", arguments.hours, 0.0001, 1e5));
+  const std::uint64_t enough =
+      arguments.fragments.empty() ? 0 : parse_count("--fragments", arguments.fragments, 1, 1e15);
+  const RoundPlan plan = plan_of(arguments);
+  RoundRunner runner(build_of(arguments));
+  for (const Profile profile : {Profile::kPaper, Profile::kWinding}) {
+    UnitConfig config = plan.config;
+    config.profile = profile;
+    if (plan.profile.value_or(profile) == profile) runner.prepare(config);
+  }
   Progress progress(!to_stdout);
+  RoundLog log(arguments.folder + "/rounds.csv", arguments.resume);
   Stopwatch watch;
-  for (double spent = 0; spent < hours * 3600;) {
-    const Round round = soak.draw(state.seed, state.next_case);
-    const LockStepResult result = soak.run(round);
+  for (double spent = 0; spent < seconds;) {
+    const Round round = draw_round(plan, state.seed, state.next_case);
+    const LockStepResult result = runner.run(round);
     add_round(arguments, round, result, state);
-    ++state.next_case;
     const double lap = watch.lap();
+    log.add(state, round, result, lap);
+    ++state.next_case;
     spent += lap;
     state.seconds += lap;
-    stress::write_state(state, path);
+    stress::write_state(state, arguments.folder + "/state.json");
     const Totals total = state.total();
     progress.update(
         fmt::format("frame {}, {}, {}", grouped(state.next_case),
                     counted(total.compared, "fragment"), counted(total.violations, "difference")),
-        spent / (hours * 3600));
+        spent / seconds);
+    if (enough != 0 && total.compared >= enough) break;
   }
   const std::string text = stress::state_json(state).dump(2) + "\n";
   if (json) *json << text;
@@ -318,9 +239,12 @@ void add_soak(CLI::App& app) {
     return command.add_option(name, value, help)->type_name(type);
   };
   add("--hours", arguments->hours, "How long (0.05)", "H");
+  add("--fragments", arguments->fragments, "Ends, too, when so many in all were compared", "N");
   add("--seed", arguments->seed, "What the frames are drawn from (1)", "N");
   add("--case", arguments->only_case, "This frame alone, with the waves of a difference", "N");
   add("--profile", arguments->profile, "paper, winding or both", "NAME")->capture_default_str();
+  add("--image", arguments->image, "Pixels of the scenes that come in turn", "WxH")
+      ->capture_default_str();
   add("--build", arguments->build, "fast, or check (assertions)", "KIND")->capture_default_str();
   command.add_flag("--resume", arguments->resume, "Goes on with the run whose state is in --out");
   add("--out", arguments->folder, "Folder for the state and the waves", "DIR")

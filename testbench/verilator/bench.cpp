@@ -134,7 +134,7 @@ class VerilatedBench final : public Bench {
     top_->s_arvalid_i = 0;
     for (;;) {
       low();
-      const bool valid = top_->s_rvalid_o;
+      const bool valid = top_->s_rvalid_o && top_->s_rready_i;
       const std::uint32_t value = top_->s_rdata_o;
       high();
       if (valid) return value;
@@ -412,6 +412,10 @@ class VerilatedBench final : public Bench {
     top.slb_rd_ready_i = static_cast<std::uint8_t>(ready(slb_ports_));
     top.texel_wr_ready_i = !stalls(Channel::kTexelWrites);
     top.slb_wr_ready_i = !stalls(Channel::kSlbWrites);
+    // Answers of registers. Not before a pass: when it begins must not depend on them.
+    const std::uint32_t wait = timing_.stream_stall;
+    top.s_bready_i = top.pass_o == 0 || answers_.below(100, 2 * now_) >= wait;
+    top.s_rready_i = answers_.below(100, 2 * now_ + 1) >= wait;
     top.eval();
     dump(0);
   }
@@ -603,6 +607,7 @@ class VerilatedBench final : public Bench {
   Timing timing_;
   std::array<std::uint32_t, kPasses> passes_{};        // of each kind, since set_timing()
   std::array<std::array<Stalls, kChannels>, kLanes> stalls_{};  // by channel
+  Chance answers_;
   Cycle pass_first_ = 0;
 
   std::uint64_t now_ = 0, progress_ = 0, progress_seen_ = ~std::uint64_t{0};

@@ -79,9 +79,12 @@ TEST_F(CheckCli, StressAndSoakFindNothing) {
   EXPECT_EQ(stress.at("total").at("violations"), 0);
   EXPECT_GT(stress.at("total").at("verdicts_compared"), 0);
 
-  const Json soak = json_of({"soak", "--hours", "0.0002", "--seed", "3", "--json", "-"});
+  const Json soak = json_of({"soak", "--fragments", "3000", "--image", "32x18", "--seed", "3",
+                             "--json", "-"});
   EXPECT_EQ(soak.at("total").at("violations"), 0);
-  const Json more = json_of({"soak", "--hours", "0.0002", "--resume", "--json", "-"});
+  EXPECT_GE(soak.at("total").at("verdicts_compared"), 3000);
+  const Json more = json_of({"soak", "--hours", "0.0002", "--image", "32x18", "--resume", "--json",
+                             "-"});
   EXPECT_GT(more.at("next_case"), soak.at("next_case"));
   EXPECT_EQ(more.at("seed"), 3);
 }

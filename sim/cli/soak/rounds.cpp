@@ -106,7 +106,8 @@ Round draw_round(const RoundPlan& plan, std::uint64_t seed, std::uint64_t number
   const SetFrame& frame = set[number / 2 % set.size()];
   if (number % 2 == 0 && (lap == 0 || frame.scene != kHuge)) {
     CaptureOptions capture;
-    std::sscanf(plan.image.c_str(), "%ux%u", &capture.image_width, &capture.image_height);
+    capture.image_width = plan.image_width;
+    capture.image_height = plan.image_height;
     profile = frame.profile;
     capture_scene(frame.scene, frame.scale, capture, round);
     round.family += fmt::format(" x{}", frame.scale);
@@ -146,6 +147,7 @@ LockStepResult RoundRunner::run(const Round& round) {
   engine_->set_timing(round.timing);
   LockStepResult result;
   try {
+    engine_->prepare(round.config).write(bench::Register::kCounterSelect, 0);
     for (std::uint64_t i = 0; i < round.cuts && cycles_; ++i) {
       cut_frame(frame, *engine_,
                 i % 2 == 0 ? bench::Bench::Cut::kAbort : bench::Bench::Cut::kReset,
@@ -153,7 +155,10 @@ LockStepResult RoundRunner::run(const Round& round) {
     }
     result = lock_step(frame, expected_, *engine_);
     if (result.cycles) cycles_ = result.cycles;
-    if (result.failures == 0) decide_again(round, result);
+    if (result.failures == 0) {
+      check_registers(result);
+      decide_again(round, result);
+    }
   } catch (const bench::Failure& failure) {
     ++result.failures;
     if (!result.first) {
@@ -164,6 +169,28 @@ LockStepResult RoundRunner::run(const Round& round) {
   }
   if (result.failures > 0) engine_->bench().reset();
   return result;
+}
+
+/// What a driver reads after pass 2 is what the bench saw.
+void RoundRunner::check_registers(LockStepResult& result) {
+  using bench::Register;
+  bench::Bench& bench = engine_->bench();
+  const bool overflow = bench.events().overflow_texels > 0;
+  const std::pair<Register, std::uint32_t> wanted[] = {
+      {Register::kIdentity, 0x4b470001u},
+      {Register::kControl, 0},
+      {Register::kStatus, std::uint32_t{overflow} << 8},
+      {Register::kCounterSelect, 0}};
+  for (const auto& [at, value] : wanted) {
+    const std::uint32_t read = bench.read(at);
+    if (read == value) continue;
+    ++result.counter_differences;
+    if (result.first) continue;
+    result.first.emplace();
+    result.first->kind = "counter";
+    result.first->lines = {fmt::format("register {:#04x} reads {:#x} instead of {:#x}",
+                                       static_cast<unsigned>(at), read, value)};
+  }
 }
 
 void RoundRunner::decide_again(const Round& round, LockStepResult& result) {

@@ -2,7 +2,7 @@
 /// The frames of a soak: what is run, how, and what is held against golden.
 ///
 /// Every second round is a frame of the set: each built-in scene at scales 1, 16 and 256 in both
-/// profiles, whole full HD, pass 2 several times over. The others are stress cases and small scenes,
+/// profiles, full HD, pass 2 several times over. The others are stress cases and small scenes,
 /// with capacities down to one record, passes in portions and frames cut short.
 #include <cstdint>
 #include <memory>
@@ -31,7 +31,7 @@ struct Round {
 struct RoundPlan {
   UnitConfig config;  ///< widths
   std::optional<Profile> profile;
-  std::string image = "1920x1080";  ///< of the set's frames
+  std::uint32_t image_width = 1920, image_height = 1080;  ///< of the set's frames
 };
 
 /// Everything about a round follows from plan, seed and number.
@@ -49,6 +49,7 @@ class RoundRunner {
 
  private:
   void decide_again(const Round& round, LockStepResult& result);
+  void check_registers(LockStepResult& result);
 
   std::unique_ptr<RtlEngine> engine_;
   std::optional<CycleReport> cycles_;  // of the frame before: where cuts may fall
