@@ -47,7 +47,11 @@ void SilhouetteBuffer::link(std::uint32_t bucket, std::uint32_t at) {
     if (other.nearest > entry.nearest) break;
     behind_last = &records_[*place].next;
   }
-  if (*place == kNone && behind_last != nullptr) place = behind_last;
+  if (*place == kNone) {
+    // A texel's first one behind the bucket's first.
+    std::uint32_t& head = heads_[bucket];
+    place = behind_last != nullptr ? behind_last : head != kNone ? &records_[head].next : &head;
+  }
   records_[at].next = *place;
   *place = at;
 }

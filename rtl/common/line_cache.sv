@@ -4,7 +4,9 @@
 //          show one cycle later. A miss is fetched without being asked for. One lookup a cycle on hits.
 // Update:  a word goes to the cache and, by way of the write register, to the memory. It waits while its
 //          line is being filled, so no fill ever replaces a newer word. Fills and updates have a data
-//          memory each, and do not wait for each other.
+//          memory each, and do not wait for each other. An update of the word that is looked up takes
+//          its line; lookup_new_i says that the word will be updated without having been read. An
+//          update of another word takes its set's first line and empties the other.
 // Hint:    fetches a word that is absent. It waits while its set is in use, or each of its lines holds
 //          a hinted word whose lookups did not all come yet (two are counted); such a one it takes only
 //          while there is no lookup at all. Changes time, never a value. A hint that repeats the last
@@ -31,6 +33,7 @@ module line_cache #(
   input  logic [AddrBits-1:0] hint_addr_i,
   // the word being worked on
   input  logic                lookup_i,       // begins a lookup, replaces the one before
+  input  logic                lookup_new_i,   // it is not to be fetched
   input  logic                lookup_end_i,   // ends it without another
   input  logic [AddrBits-1:0] lookup_addr_i,
   output logic                hit_o,
@@ -82,7 +85,7 @@ module line_cache #(
   logic [Lines-1:0] hinted_q, again_q;   // a lookup is still to come, and another one
   logic [Lines-1:0] awaited;
 
-  logic                lookup_valid_q, forward_q, forward_way_q, raced_q, met_q, hint_valid_q, hint_raced_q, hinting_q;
+  logic                lookup_valid_q, new_q, forward_q, forward_way_q, raced_q, met_q, hint_valid_q, hint_raced_q, hinting_q;
   logic                rd_valid_q, wr_valid_q, turn_q;  // which way the next choice among equals takes
   logic [AddrBits-1:0] lookup_q, hint_q, rd_addr_q, wr_addr_q;
   logic [LineBits-1:0] rd_line_q;
@@ -95,7 +98,7 @@ module line_cache #(
   logic [Ways*Width-1:0]   filled_words, updated_words;
   logic [Width-1:0]    word;
   logic                reading, updating, keep_rsp, fill, fill_lookup, fill_hint, can_fill, hint_done, hint_free;
-  logic                key_write, moving, in_place, present, hint_again, met_now, lookup_way, lookup_free, fill_way, hint_way, done_way, update_way;
+  logic                key_write, moving, claiming, in_place, new_ready, present, hint_again, met_now, lookup_way, lookup_free, fill_way, hint_way, done_way, update_way;
   logic [KeyBits-1:0]  key_data;
 
   assign lookup_set = set_of(lookup_q);
@@ -165,8 +168,8 @@ module line_cache #(
   end
 
   // ---- Fill: one request waits in a register --------------------------------------------------
-  assign can_fill    = (!rd_valid_q || (rd_valid_o && rd_ready_i)) && !moving;
-  assign fill_lookup = can_fill && lookup_valid_q && !forward_q && !present && !raced_q && lookup_free;
+  assign can_fill    = (!rd_valid_q || (rd_valid_o && rd_ready_i)) && !moving && !claiming;
+  assign fill_lookup = can_fill && lookup_valid_q && !new_q && !forward_q && !present && !raced_q && lookup_free;
   assign fill_hint   = can_fill && !fill_lookup && hint_valid_q && hint_free && !hint_done && !hint_raced_q;
   assign hint_ready_o = !hint_valid_q || hint_done || fill_hint;
   assign fill        = fill_lookup || fill_hint;
@@ -182,21 +185,23 @@ module line_cache #(
   assign hint_read_set = hint_ready_o ? set_of(hint_addr_i) : hint_set;
 
   // ---- Update -------------------------------------------------------------------------------
-  // An update of the word that is looked up finds its address in place. Whether another word is there
-  // is not known: it takes way 0, and the other way gives its word up.
+  // Of the word that is looked up it is known where it is, or where it may go. Of another one it is
+  // not: it takes way 0, and the other way gives its word up.
   assign keep_rsp       = rsp_valid_i && valid_q[rsp_line];
-  assign in_place       = hit_o && update_addr_i == lookup_q;
+  assign new_ready      = lookup_valid_q && new_q && !forward_q && !raced_q && !present && lookup_free;
+  assign in_place       = (hit_o || new_ready) && update_addr_i == lookup_q;
   assign update_ready_o = (!wr_valid_q || wr_ready_i)
                           && (in_place || (!busy_q[line_of(update_set, 1'b0)] && !busy_q[line_of(update_set, 1'b1)]));
   assign updating       = update_i && update_ready_o;
   assign moving         = updating && !in_place;
+  assign claiming       = updating && in_place && new_ready;
   assign update_way     = !moving && lookup_way;
   assign update_line    = line_of(update_set, update_way);
 
-  assign key_write  = moving || fill;
-  assign key_line   = moving ? update_line : fill_line;
+  assign key_write  = moving || claiming || fill;
+  assign key_line   = updating && !fill ? update_line : fill_line;
   assign key_set    = set_of_line(key_line);
-  assign key_data   = moving ? update_addr_i[AddrBits-1:SetBits] : fill_addr[AddrBits-1:SetBits];
+  assign key_data   = updating && !fill ? update_addr_i[AddrBits-1:SetBits] : fill_addr[AddrBits-1:SetBits];
 
   for (genvar w = 0; w < Ways; w++) begin : gen_way
     ram_1r1w #(.Width(Width), .Depth(Sets)) fill_ram (
@@ -277,6 +282,7 @@ module line_cache #(
 
   always_ff @(posedge clk_i) begin
     if (lookup_i) lookup_q <= lookup_addr_i;
+    if (lookup_i) new_q <= lookup_new_i;
     if (hint_valid_i && hint_ready_o) hint_q <= hint_addr_i;
     hint_raced_q <= key_write && key_set == hint_read_set;
     if (fill) begin
@@ -303,7 +309,7 @@ module line_cache #(
     end
     if (updating) begin
       updated_q[update_line] <= 1'b1;
-      if (moving) begin
+      if (moving || claiming) begin
         hinted_q[update_line] <= 1'b0;
         again_q[update_line]  <= 1'b0;
       end

@@ -227,4 +227,154 @@ package shadow_pkg;
     logic [LineCountBits-1:0] lines_read;
   } lane_events_t;
   localparam int unsigned LaneEventBits = 2 + LineCountBits;
+
+  // ---- Inside silhouette_buffer ---------------------------------------------------------------
+
+  // Whose turn the next cycle is. The upper two bits say which block knows the step.
+  localparam logic [4:0] SlbIdle       = 5'd0;   // chain_find
+  localparam logic [4:0] SlbSpan       = 5'd1;   // covers a word
+  localparam logic [4:0] SlbFind       = 5'd2;   // walks the bucket for the entry, or for its place
+  localparam logic [4:0] SlbNew        = 5'd3;   // writes a new entry to the pool
+  localparam logic [4:0] SlbLink       = 5'd4;   // behind another entry
+  localparam logic [4:0] SlbPush       = 5'd5;   // before the bucket's first entry: that one to the pool
+  localparam logic [4:0] SlbPushNew    = 5'd6;
+  localparam logic [4:0] SlbReuse      = 5'd7;   // reads the first freed record
+  localparam logic [4:0] SlbScan       = 5'd8;   // entry_lines: walks the entry's records
+  localparam logic [4:0] SlbLift       = 5'd9;   // the next record's first line is to move up
+  localparam logic [4:0] SlbClose      = 5'd10;  // it moves up
+  localparam logic [4:0] SlbCut        = 5'd11;  // the last record is gone: its predecessor becomes the last
+  localparam logic [4:0] SlbExtend     = 5'd12;  // a continuation record
+  localparam logic [4:0] SlbMark       = 5'd13;  // the entry's flags, after a change in a continuation
+  localparam logic [4:0] SlbLength     = 5'd14;  // counts the texel's records
+  localparam logic [4:0] SlbLengthMore = 5'd15;
+  localparam logic [4:0] SlbBehind     = 5'd16;  // entry_move: what stands behind the entry in the texel?
+  localparam logic [4:0] SlbStay       = 5'd17;  // it stays where it is with its new nearest
+  localparam logic [4:0] SlbUnlink     = 5'd18;  // takes an entry of the pool out of its chain
+  localparam logic [4:0] SlbUnlinkCopy = 5'd19;  // takes one out of the bucket's own record: to the pool
+  localparam logic [4:0] SlbUnlinkPull = 5'd20;  // and the next entry of the bucket in
+  localparam logic [4:0] SlbRejoin     = 5'd21;  // links it in again
+  localparam logic [4:0] SlbRejoinOwn  = 5'd22;
+  localparam logic [4:0] SlbJudge      = 5'd24;  // chain_erase: does the texel hold too many records?
+  localparam logic [4:0] SlbOverflow   = 5'd25;
+  localparam logic [4:0] SlbWalk       = 5'd26;  // walks the bucket and erases entries of the texel
+  localparam logic [4:0] SlbErase      = 5'd27;  // the entry's records
+  localparam logic [4:0] SlbEraseLink  = 5'd28;  // closes the chain
+  localparam logic [4:0] SlbEraseFree  = 5'd29;
+
+  localparam logic [1:0] EraseAll    = 2'd0;  // what SlbWalk erases
+  localparam logic [1:0] EraseHidden = 2'd1;
+  localparam logic [1:0] EraseNone   = 2'd2;  // just looks whether the texel has entries
+
+  // What an operation knows from one step to the next. Of a record nothing but links and one line.
+  typedef struct packed {
+    logic [1:0]                word_x;     // texel of the word
+    logic [RecordAddrBits-1:0] own;        // the bucket's own record
+    logic [RecordAddrBits-1:0]ahead;      // the record before this one in its entry; erased: the first of them
+    logic [RecordAddrBits-1:0] prev;       // the entry before it in its bucket
+    logic                      has_prev;
+    logic [RecordAddrBits-1:0] entry;      // found; or where an unlinked one stands
+    logic                      head;       // the record is the entry's, not a continuation
+    logic                      is_own;     // the entry stands in the bucket's own record
+    logic                      is_first;   // of its texel
+    logic [RecordAddrBits-1:0] place;      // behind this one an entry belongs; pushed: where the first one went
+    logic                      push;       // it belongs before the bucket's first
+    logic                      placed;     // its place is found
+    logic                      seen;       // an entry of the texel was met
+    logic [RecordAddrBits-1:0] next;       // of the entry
+    logic                      has_next;
+    logic                      relink;     // the entry was unlinked: SlbFind looks for its place
+    logic                      settled;    // the new line is none that cancels, nearest is set
+    logic                      nearer;     // nearest is to change
+    logic                      gap;        // the removed line is the record's first
+    logic                      grown;      // a record was taken
+    logic                      storing;    // the line is stored
+    logic [LineBits-1:0]       lifted;
+    logic [RecordAddrBits-1:0] length;     // records of the texel; SlbFind: entries of the texel
+    logic                      continued;  // SlbFind: one of them has continuations
+    logic [1:0]                mode;
+    logic                      kept;       // the texel has entries that stay
+    logic                      covered;    // the emptied texel is covered
+    logic                      emptying;
+    logic [TexelsPerWord-1:0]  todo;       // texels of the span that hold lines
+  } slb_walk_t;
+
+  // What is so in this cycle.
+  typedef struct packed {
+    logic                      hit;          // the record is there
+    logic                      texel_hit;
+    logic [RecordAddrBits-1:0] at;           // of the record
+    logic                      is_edge;      // the visit's kind; neither: an emptied entry
+    logic                      edge_flag;    // of the texel
+    logic                      overflow;
+    logic                      same_texel;   // the record is of the visit's texel
+    logic                      same_entry;   // and object
+    logic                      match;        // it holds a line that cancels
+    logic                      hidden;       // the line is
+    logic                      nearer;       // an entry's nearest would change
+    logic                      before_it;    // the record's nearest is before the line's
+    logic                      beyond_it;    // behind it
+    logic                      room;         // for a line
+    logic                      erasable;     // its nearest is behind what covers the texel
+    logic                      full;         // no record is left
+    logic                      few;          // fewer records are in use than a texel may hold
+    logic                      short_chain;  // so does the texel with one more entry
+    logic                      too_long;
+    logic [TexelsPerWord-1:0]  edges;        // texels of the span that hold lines
+    logic                      wants_hiding;
+    logic [RecordAddrBits-1:0] spot;         // where the next record will stand
+    logic                      has_spot;
+    logic                      dry;          // the next one would have to be a freed one, not read yet
+    logic [RecordAddrBits-1:0] free;         // first freed record
+    logic                      has_free;
+  } slb_facts_t;
+
+  // What is done in a cycle, all of it or, if a memory takes no write, nothing.
+  typedef struct packed {
+    logic                      act;
+    logic                      last;         // ends the operation
+    logic                      look;         // the next record
+    logic                      look_new;     // which will be written, not read
+    logic [RecordAddrBits-1:0] look_addr;
+    logic                      restart;      // SlbFind begins at the bucket's own record
+    logic                      walk;         // SlbWalk does
+    logic                      spread;       // so it does in the span's next texel, if there is one
+    // record
+    logic                      write;
+    logic [RecordAddrBits-1:0] write_addr;
+    logic                      fresh;
+    logic                      unused_record;
+    logic                      set_next;
+    logic                      link_has;
+    logic [RecordAddrBits-1:0] link_addr;
+    logic                      set_more;
+    logic                      more_has;
+    logic [RecordAddrBits-1:0] more_addr;
+    logic                      set_nearest;
+    logic                      set_corner;
+    logic                      set_vertex;
+    logic                      append;
+    logic                      remove;
+    logic                      remove_first;
+    logic                      refill;
+    logic                      emptied;
+    // pool
+    logic                      take;         // the spot
+    logic                      keep;         // a record that came free is the next spot
+    logic                      free;         // it is the first of the freed ones
+    logic [RecordAddrBits-1:0] free_addr;
+    logic                      reuse;        // the first freed record is the next spot
+    logic                      used_more;    // one more record is in use
+    logic                      used_less;
+    // texel
+    logic                      touch;
+    logic                      stored;       // the line is: edge flag, and what else goes with it
+    logic                      cover_texel;
+    logic                      cover_span;
+    logic                      cover_record; // with the record's nearest and object
+    logic                      cover_centre; // with the depth at the centre
+    logic                      set_edge;
+    logic                      edge_flag;
+    logic                      set_overflow;
+    store_events_t             events;
+  } slb_step_t;
 endpackage

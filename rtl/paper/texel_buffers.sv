@@ -94,7 +94,7 @@ module texel_buffers (
   ) cache (
     .clk_i, .rst_ni, .clear_i(clear_i || (wipe_i && !wiping_q)),
     .hint_valid_i, .hint_ready_o, .hint_addr_i,
-    .lookup_i, .lookup_end_i, .lookup_addr_i, .hit_o, .data_o(word),
+    .lookup_i, .lookup_new_i(1'b0), .lookup_end_i, .lookup_addr_i, .hit_o, .data_o(word),
     .update_i(update_i || wiping), .update_ready_o,
     .update_addr_i(wiping ? wipe_q[AddrBits-1:0] : addr_q), .update_data_i(new_word), .idle_o(cache_idle),
     .rd_valid_o, .rd_ready_i, .rd_addr_o, .rd_tag_o, .rsp_valid_i, .rsp_tag_i, .rsp_data_i,

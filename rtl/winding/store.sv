@@ -258,7 +258,7 @@ module store (
   ) records (
     .clk_i, .rst_ni, .clear_i(drop),
     .hint_valid_i(1'b0), .hint_ready_o(hint_ready), .hint_addr_i('0),
-    .lookup_i(lookup), .lookup_end_i(ready), .lookup_addr_i(lookup_addr), .hit_o(hit), .data_o(record),
+    .lookup_i(lookup), .lookup_new_i(1'b0), .lookup_end_i(ready), .lookup_addr_i(lookup_addr), .hit_o(hit), .data_o(record),
     .update_i(update), .update_ready_o(update_ready), .update_addr_i(update_addr), .update_data_i(new_record),
     .idle_o(records_idle),
     .rd_valid_o(slb_rd_valid_o), .rd_ready_i(slb_rd_ready_i), .rd_addr_o(slb_rd_addr_o), .rd_tag_o(slb_rd_tag_o),

@@ -11,6 +11,7 @@ module line_cache_proof (
   input logic       clk_i,
   input logic       hint_valid_i,
   input logic       lookup_i,
+  input logic       lookup_new_i,
   input logic       lookup_end_i,
   input logic       update_i,
   input logic       rd_ready_i,
