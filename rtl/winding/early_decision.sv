@@ -167,7 +167,9 @@ module early_decision #(
 
   // ---- Texel: 1, what it is ---------------------------------------------------------------------
   shadow_pkg::texel_t      texel;
+  /* verilator lint_off UNUSEDSIGNAL */  // what pass 1 notes for itself
   shadow_pkg::texel_list_t list;
+  /* verilator lint_on UNUSEDSIGNAL */
   logic                    valid1_q;
   logic [IdBits-1:0]       object1_q, texel_object1_q;
   logic [SlotBits-1:0]     slot1_q;

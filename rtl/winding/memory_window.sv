@@ -6,7 +6,7 @@
 //
 // Owner:  `out_fresh_o`: it does not hold the word of this piece; load_i in a cycle of out_valid_o takes it from
 //         data_o. It writes the word it held back (write_i while write_ready_o, and to the memory) before or as it
-//         loads the next. pop_i ends the piece.
+//         loads the next. pop_i ends the piece, at the earliest in the cycle of load_i.
 // Timing: in to out three cycles, then one piece a cycle; a load takes a cycle of its own.
 `include "check.svh"
 module memory_window #(
@@ -57,7 +57,7 @@ module memory_window #(
       line_of[i%LineBits] = line_of[i%LineBits] ^ addr[i];
     end
   endfunction
-  localparam int unsigned SeqBits = $clog2(Depth) + 2;  // pieces inside: Depth + 2 at most
+  localparam int unsigned SeqBits = $clog2(Depth) + 5;  // pieces inside: Depth + 2 at most
 
   logic [Lines-1:0] valid_q, busy_q;  // has a word; it is being fetched
 
@@ -178,7 +178,7 @@ module memory_window #(
         if (push) pushed_q <= pushed_q + 1'b1;
         if (pop_i) popped_q <= popped_q + 1'b1;
       end
-      `CHECK(pops_what_is_there, !pop_i || (out_valid_o && !out_fresh_o))
+      `CHECK(pops_what_is_there, !pop_i || (out_valid_o && (load_i || !out_fresh_o)))
       `CHECK(loads_what_is_there, !load_i || (out_valid_o && out_fresh_o))
       `CHECK(response_was_asked_for, !rsp_valid_i || busy_q[rsp_tag_i])
     end

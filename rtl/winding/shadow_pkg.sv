@@ -161,17 +161,19 @@ package shadow_pkg;
   localparam int unsigned ThresholdBits = BaseBits + 2 * GradientCodeBits;
 
   // One texel. kind: TexelEmpty, TexelPlane (plane = threshold_t), TexelList, TexelOverflow.
-  // TexelList: word = {covered, cover_depth (signed 32), first}: covered, some full cluster covers it, the
-  // nearest one ending at `cover_depth`. TexelOverflow: the same without `first`; dark beyond `cover_depth`.
+  // TexelList: word = {covered, bare, cover_depth (signed 32), first}: covered, some full cluster covers it, the
+  // nearest one ending at `cover_depth`; else `cover_depth` has the mark of every plane in the list, for pass 1.
+  // bare: a cluster may be without segments. TexelOverflow: {covered, 0, cover_depth}; dark beyond `cover_depth`.
   localparam logic [1:0] TexelEmpty    = 2'd0;
   localparam logic [1:0] TexelPlane    = 2'd1;
   localparam logic [1:0] TexelList     = 2'd2;
   localparam logic [1:0] TexelOverflow = 2'd3;
   localparam int unsigned CoverBits = 32;
-  localparam int unsigned ListBits  = 1 + CoverBits + RecordAddrBits;
+  localparam int unsigned ListBits  = 2 + CoverBits + RecordAddrBits;
   localparam int unsigned WordBits  = ThresholdBits > ListBits ? ThresholdBits : ListBits;
   typedef struct packed {
     logic                      covered;
+    logic                      bare;
     logic [CoverBits-1:0]      cover_depth;  // signed
     logic [RecordAddrBits-1:0] first;
   } texel_list_t;  // in the lower ListBits of `word`

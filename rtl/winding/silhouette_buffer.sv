@@ -83,14 +83,23 @@ module silhouette_buffer (
   shadow_pkg::threshold_t  texel_plane;
   logic [shadow_pkg::BaseBits-1:0] base;  // of the visit
   logic [1:0]   kind_d, kind_q;
-  logic         covered_d, covered_q, changed_d, changed_q;
+  logic         covered_d, covered_q, bare_d, bare_q, changed_d, changed_q;
   logic [shadow_pkg::IdBits-1:0] object_d, object_q;  // of the cover
-  logic [31:0]  depth_d, depth_q;                     // signed
+  logic [31:0]  depth_d, depth_q;                     // signed; not covered: marks
+  logic [31:0]  mark;                                 // of the visit's plane
   logic [A-1:0] first_d, first_q;
   assign texel_in    = texel_i;
   assign texel_list  = texel_in.word[shadow_pkg::ListBits-1:0];
   assign texel_plane = texel_in.word[shadow_pkg::ThresholdBits-1:0];
   assign base        = threshold_i[shadow_pkg::ThresholdBits-1-:shadow_pkg::BaseBits];
+  // A list without the mark has no cluster of the plane.
+  logic [4:0] mark_number;
+  always_comb begin
+    mark_number = '0;
+    for (int i = 0; i < shadow_pkg::ThresholdBits; i++) mark_number[i%5] = mark_number[i%5] ^ threshold_i[i];
+    for (int i = 0; i < shadow_pkg::IdBits; i++) mark_number[i%5] = mark_number[i%5] ^ object_i[i];
+  end
+  assign mark = 32'd1 << mark_number;
 
   // ---- Records ----------------------------------------------------------------------------------
   shadow_pkg::record_t record, update;
@@ -104,12 +113,15 @@ module silhouette_buffer (
   logic [S-1:0]         moved_d, moved_q;
   logic [shadow_pkg::CornerBits-1:0] corner_d, corner_q, corner_sum;
   logic [31:0]          other_d, other_q;  // nearest end of a cover of another object
-  logic                 seen_q, bounded, there, written, room, full_memory;
+  logic                 seen_q, bounded, there, written, room, full_memory, fresh, absent;
   assign record     = record_i;
   assign corner_sum = record.corner + shadow_pkg::CornerBits'(corner_i);
   assign full_memory = used_q >= record_limit_i;
   assign room       = record.count < CountBits'(L);
   assign written    = update_o && update_ready_i;
+  assign fresh      = LimitBits'(fresh_q) < record_limit_i;
+  // Nor can the list be too long.
+  assign absent     = !texel_list.covered && (texel_list.cover_depth & mark) == '0 && used_q < chain_limit_i;
 
   // ---- Depths -----------------------------------------------------------------------------------
   logic [31:0] visit_nearest, visit_farthest, nearest, farthest, nearest_q, farthest_q, cover_nearest, cover_farthest;
@@ -172,7 +184,7 @@ module silhouette_buffer (
 
   always_comb begin
     state_d = state_q; mode_d = mode_q; insert_d = insert_q;
-    kind_d = kind_q; covered_d = covered_q; object_d = object_q; depth_d = depth_q; first_d = first_q;
+    kind_d = kind_q; covered_d = covered_q; bare_d = bare_q; object_d = object_q; depth_d = depth_q; first_d = first_q;
     changed_d = changed_q;
     prev_d = prev_q; prev_valid_d = prev_valid_q; head_d = head_q; chain_d = chain_q; link_d = link_q;
     next_d = next_q; next_valid_d = next_valid_q; continued_d = continued_q; refill_d = refill_q;
@@ -186,34 +198,43 @@ module silhouette_buffer (
     given = 1'b0; released = 1'b0;
     hidden_o = 1'b0; line_stored_o = 1'b0; line_cancelled_o = 1'b0; emptied_covered_o = 1'b0;
     lines_hidden_o = '0; overflow_lines_o = '0; overflow_texel_o = 1'b0;
+    if (!spare_valid_q && fresh) begin
+      spare_d       = fresh_q[A-1:0];
+      spare_valid_d = 1'b1;
+      fresh_d       = fresh_q + 1'b1;
+    end
 
     case (state_q)
       Idle: if (start_i) begin
         kind_d = texel_in.kind; object_d = texel_in.object;
         covered_d = texel_list.covered; depth_d = texel_list.cover_depth; first_d = texel_list.first;
         changed_d = 1'b0; insert_d = 1'b0; count_d = '0; continued_d = 1'b0;
-        state_d = spare_valid_q ? Check : Take;
-        if (spare_valid_q && texel_in.kind == shadow_pkg::TexelList) begin
-          lookup_o      = 1'b1;
-          lookup_addr_o = texel_list.first;
-          if (!settle_i && !texel_list.covered && !nothing) begin
-            mode_d  = Find;
-            state_d = Walk;
-          end
+        bare_d  = texel_in.kind == shadow_pkg::TexelList && texel_list.bare;
+        mode_d  = Find;
+        state_d = Check;
+        if (!spare_valid_q && !fresh) begin
+          state_d = Take;
+        end else begin
+          case (texel_in.kind)
+            shadow_pkg::TexelEmpty:    state_d = Insert;
+            shadow_pkg::TexelPlane:    state_d = Open;
+            shadow_pkg::TexelOverflow: state_d = Keep;
+            shadow_pkg::TexelList: begin
+              lookup_addr_o = texel_list.first;
+              lookup_o      = settle_i || !absent;
+              if (!settle_i && !texel_list.covered && !nothing) state_d = absent ? Insert : Walk;
+            end
+          endcase
         end
       end
 
       // ---- A spare record ------------------------------------------------------------------------
       Take: begin
         state_d = insert_q ? Insert : Check;
-        if (free_valid_q) begin
+        if (!fresh && !spare_valid_q && free_valid_q) begin
           lookup_o      = 1'b1;
           lookup_addr_o = free_q;
           state_d       = Taken;
-        end else if (LimitBits'(fresh_q) < record_limit_i) begin
-          spare_d       = fresh_q[A-1:0];
-          spare_valid_d = 1'b1;
-          fresh_d       = fresh_q + 1'b1;
         end
       end
       Taken: if (there) begin
@@ -295,6 +316,9 @@ module silhouette_buffer (
           given     = 1'b1;
           first_d   = spare_q;
           if (kind_q == shadow_pkg::TexelEmpty) covered_d = 1'b0;
+          if (kind_q == shadow_pkg::TexelEmpty) depth_d = mark;
+          else if (!covered_q) depth_d = depth_q | mark;
+          if (!span_i && !has_segment_i) bare_d = 1'b1;
           kind_d    = shadow_pkg::TexelList;
           changed_d = 1'b1;
           state_d   = Done;
@@ -474,6 +498,7 @@ module silhouette_buffer (
             state_d  = Spill;
           end else if (written) begin
             given   = 1'b1;
+            next_d  = spare_q;
             state_d = Grow;
           end
         end
@@ -485,7 +510,7 @@ module silhouette_buffer (
         update.segments[S-1:0] = segment_i;
         update.goes_on  = 1'b1;
         update.has_next = 1'b1;
-        update.next     = spare_q;
+        update.next     = next_q;
         if (written) begin
           state_d       = Done;
           line_stored_o = used_q <= chain_limit_i;
@@ -565,6 +590,10 @@ module silhouette_buffer (
           for (int i = 0; i < L; i++) if (slot_q == CountBits'(i)) update.segments[i*S+:S] = last_segment;
         end
         if (written) begin
+          if (last == '0 && !record.goes_on) begin
+            bare_d    = 1'b1;
+            changed_d = changed_q || !bare_q;
+          end
           lookup_o         = state_q == Lift || refill_d;
           lookup_addr_o    = state_q == Lift ? link_q : record.next;
           state_d          = state_q == Lift ? Patch : refill_d ? Refill : Done;
@@ -666,6 +695,7 @@ module silhouette_buffer (
         Settle: begin
           state_d   = Done;
           take_drop = covered_d;
+          bare_d    = 1'b0;
         end
         Free: begin
           free_d       = first_q;
@@ -697,6 +727,7 @@ module silhouette_buffer (
   shadow_pkg::texel_list_t result_list;
   always_comb begin
     result_list.covered     = covered_q;
+    result_list.bare        = bare_q;
     result_list.cover_depth = depth_q;
     result_list.first       = first_q;
     result.kind   = kind_q;
@@ -749,7 +780,7 @@ module silhouette_buffer (
 
   always_ff @(posedge clk_i) begin
     mode_q <= mode_d; insert_q <= insert_d;
-    kind_q <= kind_d; covered_q <= covered_d; object_q <= object_d; depth_q <= depth_d; first_q <= first_d;
+    kind_q <= kind_d; covered_q <= covered_d; bare_q <= bare_d; object_q <= object_d; depth_q <= depth_d; first_q <= first_d;
     changed_q <= changed_d;
     prev_q <= prev_d; prev_valid_q <= prev_valid_d; head_q <= head_d; chain_q <= chain_d; link_q <= link_d;
     next_q <= next_d; next_valid_q <= next_valid_d; continued_q <= continued_d; refill_q <= refill_d;

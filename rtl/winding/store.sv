@@ -135,10 +135,10 @@ module store (
   // ---- Tiles ------------------------------------------------------------------------------------
   logic                            tile_valid, tile_fresh, tile_load, tile_pop, tile_clean, tile_keep;
   logic                            tile_keep_ready, tile_window_empty, tile_waits, tile_idle;
-  logic                            tile_rd_valid, tile_rd_ready, tile_wr_valid, tile_wr_ready, tile_wr_texels;
+  logic                            tile_rd_valid, tile_rd_ready, tile_wr_valid, tile_wr_ready, touch_valid, touch_ready;
   logic [VisitBits-1:0]            tile_work;
-  logic [shadow_pkg::TileBits-1:0] tile_data, tile_word, empty_tile;
-  logic [TileAddrBits-1:0]         tile_held, tile_rd_addr;
+  logic [shadow_pkg::TileBits-1:0] tile_data, tile_word, tile_written, empty_tile;
+  logic [TileAddrBits-1:0]         tile_held, tile_rd_addr, tile_wr_addr;
   logic [TileLineBits-1:0]         tile_rd_tag;
   logic [WordAddrBits-1:0]         touch_addr;
   logic                            rsp_of_tile;
@@ -146,7 +146,7 @@ module store (
 
   memory_window #(
     .Width(shadow_pkg::TileBits), .AddrBits(TileAddrBits), .PayloadBits(VisitBits),
-    .Lines(TileLines), .Depth(shadow_pkg::VisitFifoDepth / 2)
+    .Lines(TileLines), .Depth(shadow_pkg::VisitFifoDepth)
   ) tile_window (
     .clk_i, .rst_ni, .clear_i(drop),
     .in_valid_i(work_valid), .in_ready_o(work_ready), .in_bare_i(work.kind == shadow_pkg::VisitBegin),
@@ -160,23 +160,23 @@ module store (
     .rsp_data_i(texel_rsp_data_i[shadow_pkg::TileBits-1:0])
   );
 
-  logic                    visit_valid, visit_ready, visit_bare, sum_valid, sum_covered, sum_several;
+  logic                    visit_valid, visit_ready, visit_bare, sum_valid, sum_ready, sum_covered, sum_several;
   logic [WordAddrBits-1:0] visit_addr;
   shadow_pkg::visit_t      visit;
   logic [shadow_pkg::IdBits-1:0] sum_object;
   logic [24:0]             sum_farthest;
   tile_buffer tile_buffer (
     .clk_i, .rst_ni, .clear_i(drop), .skip_masked_i(settings_i.skip_receiver_mask),
-    .first_slot_i(drop), .settling_i(settle_i),
+    .settling_i(settle_i),
     .in_valid_i(tile_valid), .in_fresh_i(tile_fresh), .in_i(tile_work), .in_tile_i(tile_data),
     .load_o(tile_load), .pop_o(tile_pop), .clean_o(tile_clean), .keep_o(tile_keep),
-    .keep_ready_i(tile_keep_ready), .tile_o(tile_word),
+    .keep_ready_i(tile_keep_ready), .tile_addr_i(tile_held), .tile_o(tile_word),
     .out_valid_o(visit_valid), .out_ready_i(visit_ready), .out_bare_o(visit_bare),
     .out_addr_o(visit_addr), .out_o(visit),
-    .sum_valid_i(sum_valid), .sum_covered_i(sum_covered), .sum_several_i(sum_several),
+    .sum_valid_i(sum_valid), .sum_ready_o(sum_ready), .sum_covered_i(sum_covered), .sum_several_i(sum_several),
     .sum_object_i(sum_object), .sum_farthest_i(sum_farthest),
-    .wr_valid_o(tile_wr_valid), .wr_ready_i(tile_wr_ready), .wr_texels_o(tile_wr_texels),
-    .wr_addr_o(touch_addr), .idle_o(tile_idle),
+    .wr_valid_o(tile_wr_valid), .wr_ready_i(tile_wr_ready), .wr_addr_o(tile_wr_addr), .wr_tile_o(tile_written),
+    .touch_valid_o(touch_valid), .touch_ready_i(touch_ready), .touch_addr_o(touch_addr), .idle_o(tile_idle),
     .visits_o(events_o.texel_visits), .masked_o(events_o.masked_visits), .touched_o(events_o.tile_touched)
   );
 
@@ -222,7 +222,7 @@ module store (
     .start_o(start), .settle_o(settles), .span_o(span), .threshold_o(threshold), .steep_o(steep), .half_o(half),
     .object_o(object), .texel_o(texel), .texel_steep_o(texel_steep), .texel_half_o(texel_half),
     .done_i(done), .changed_i(changed), .texel_i(new_texel), .texel_steep_i(new_steep), .texel_half_i(new_half),
-    .sum_valid_o(sum_valid), .sum_covered_o(sum_covered), .sum_several_o(sum_several),
+    .sum_valid_o(sum_valid), .sum_ready_i(sum_ready), .sum_covered_o(sum_covered), .sum_several_o(sum_several),
     .sum_object_o(sum_object), .sum_farthest_o(sum_farthest),
     .wr_valid_o(word_wr_valid), .wr_ready_i(word_wr_ready), .wr_mask_o(word_wr_mask),
     .idle_o(texel_idle), .running_o(running), .hidden_o(texels_hidden)
@@ -274,30 +274,28 @@ module store (
     .data1_i({1'b1, (TagBits - 1)'(tile_rd_tag), 1'b1, WordAddrBits'(tile_rd_addr)}),
     .valid_o(texel_rd_valid_o), .ready_i(texel_rd_ready_i), .data_o({texel_rd_tag_o, texel_rd_addr_o})
   );
-  // A tile wiped; of a touched one a word without texels; or the tile held.
-  logic                          wipe_ready, tile_side_valid, tile_side_ready;
-  logic [WordAddrBits-1:0]       tile_side_addr;
-  logic                          tile_side_upper;
-  logic [DataBits-1:0]           tile_side_data;
+  // A tile wiped, or written; of a touched one a word without texels.
+  localparam int unsigned WriteBits = 4 + shadow_pkg::TexelAddrBits + DataBits;
+  logic                 wipe_ready, tile_valid_any, tile_ready_any, side_valid, side_ready;
+  logic [WriteBits-1:0] side;
+  // touched, slot, several, object_valid, object: all 0, in whatever order.
   assign empty_tile = {3'd0, {(shadow_pkg::TileSlotBits + shadow_pkg::IdBits){1'b0}},
                        25'h0ffffff, 25'h0ffffff, 24'd0, 64'd0};
-  // touched, slot, several, object_valid, object: all 0, in whatever order.
-  assign tile_side_valid = wiping || tile_wr_valid;
-  assign wipe_ready      = tile_side_ready;
-  assign tile_wr_ready   = tile_side_ready && !wiping;
-  assign tile_side_upper = wiping || !tile_wr_texels;
-  always_comb begin
-    tile_side_addr = wiping ? WordAddrBits'({row_q[M-4:0], column_q[M-4:0]}) : WordAddrBits'(tile_held);
-    tile_side_data = wiping ? DataBits'(empty_tile) : DataBits'(tile_word);
-    if (!tile_side_upper) begin
-      tile_side_addr = touch_addr;
-      tile_side_data = '0;  // TexelEmpty
-    end
-  end
-  port_merge #(.Width(4 + shadow_pkg::TexelAddrBits + DataBits)) writes (
+  assign tile_valid_any = wiping || tile_wr_valid;
+  assign wipe_ready     = tile_ready_any;
+  assign tile_wr_ready  = tile_ready_any && !wiping;
+  port_merge #(.Width(WriteBits)) tile_writes (
     .clk_i, .rst_ni, .clear_i(drop),
-    .valid0_i(tile_side_valid), .ready0_o(tile_side_ready),
-    .data0_i({4'hf, tile_side_upper, tile_side_addr, tile_side_data}),
+    .valid0_i(tile_valid_any), .ready0_o(tile_ready_any),
+    .data0_i({4'hf, 1'b1, wiping ? WordAddrBits'({row_q[M-4:0], column_q[M-4:0]}) : WordAddrBits'(tile_wr_addr),
+              wiping ? DataBits'(empty_tile) : DataBits'(tile_written)}),
+    .valid1_i(touch_valid), .ready1_o(touch_ready),
+    .data1_i({4'hf, 1'b0, touch_addr, {DataBits{1'b0}}}),  // TexelEmpty
+    .valid_o(side_valid), .ready_i(side_ready), .data_o(side)
+  );
+  port_merge #(.Width(WriteBits)) writes (
+    .clk_i, .rst_ni, .clear_i(drop),
+    .valid0_i(side_valid), .ready0_o(side_ready), .data0_i(side),
     .valid1_i(word_wr_valid), .ready1_o(word_wr_ready),
     .data1_i({word_wr_mask, 1'b0, texel_held, DataBits'(texel_word)}),
     .valid_o(texel_wr_valid_o), .ready_i(texel_wr_ready_i),

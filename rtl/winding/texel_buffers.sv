@@ -4,8 +4,8 @@
 // Twins:   model/unit/winding/shadow_unit_store.cpp (hidden, cover of a texel without a list), shadow_unit_pass2.cpp
 //          (settle, sum_up)
 // Numbers: a plane's bounds are its depth at the centre and half its steepness, rounded up: plane_bounds.
-// Timing:  one visit a cycle in the word held; another word costs a cycle, once it is there; a settled word
-//          four cycles more.
+// Timing:  one visit a cycle in the word held; another word costs a cycle, once it is there. A word to settle takes
+//          one cycle, or, while all texels of its tile are covered, six; lists with a bare cluster more.
 //
 // A visit of kind VisitTile settles its word; with x = 1 it is the last of a tile, whose sum follows.
 `include "check.svh"
@@ -45,6 +45,7 @@ module texel_buffers (
   input  logic [26:0]                           texel_half_i,
   // sum of a settled tile
   output logic                                  sum_valid_o,
+  input  logic                                  sum_ready_i,
   output logic                                  sum_covered_o,
   output logic                                  sum_several_o,
   output logic [shadow_pkg::IdBits-1:0]         sum_object_o,
@@ -83,12 +84,12 @@ module texel_buffers (
   );
 
   // ---- Four texels ----------------------------------------------------------------------------------
-  logic       span, settles, nothing, at_work, evaluate;
-  logic [3:0] active, hidden, slow, put;
+  logic       span, settles, nothing, at_work, evaluate, tile_ends_q, quick;
+  logic [3:0] active, hidden, slow, put, held, data_held, data_bare;
   assign span     = in_i.kind == shadow_pkg::VisitSpan;
   assign settles  = in_i.kind == VisitTile;
   assign nothing  = in_i.kind == shadow_pkg::VisitEdge && !in_i.corner && !in_i.has_segment;
-  assign at_work  = in_valid_i && !in_fresh_i && !flush_q;
+  assign at_work  = in_valid_i && !in_fresh_i && !flush_q && !tile_ends_q;
   assign active   = resumed_q ? todo_q : in_i.mask;
   assign evaluate = at_work && !begins && !running_q && !sums_q;
 
@@ -119,8 +120,14 @@ module texel_buffers (
         shadow_pkg::TexelOverflow: slow[i] = !nothing;
         shadow_pkg::TexelList:     slow[i] = !nothing || word[shadow_pkg::ListBits-1];
       endcase
-      if (settles) slow[i] = kind == shadow_pkg::TexelList;
+      if (settles) slow[i] = kind == shadow_pkg::TexelList && word[shadow_pkg::ListBits-2];
     end
+    assign held[i] = plane_kind || (kind != shadow_pkg::TexelEmpty && word[shadow_pkg::ListBits-1]);
+    logic [1:0] data_kind;
+    assign data_kind = in_word_i[i*T+T-1-:2];
+    assign data_held[i] = data_kind == shadow_pkg::TexelPlane
+                          || (data_kind != shadow_pkg::TexelEmpty && in_word_i[i*T+shadow_pkg::ListBits-1]);
+    assign data_bare[i] = data_kind == shadow_pkg::TexelList && in_word_i[i*T+shadow_pkg::ListBits-2];
     logic        data_steep;
     logic [26:0] data_half;
     plane_steepness data_steepness (
@@ -178,14 +185,14 @@ module texel_buffers (
   assign texel_half_o  = half_q[32'(lane)*27+:27];
   assign running_o     = running_q;
 
-  // ---- Sum of a tile: a texel a cycle ---------------------------------------------------------------
+  // ---- Sum of a tile: a texel a cycle, as long as all were covered -------------------------------------
   shadow_pkg::texel_t      sum_texel;
   /* verilator lint_off UNUSEDSIGNAL */  // its first cluster
   shadow_pkg::texel_list_t sum_list;
   /* verilator lint_on UNUSEDSIGNAL */
   logic [31:0]             sum_depth, sum_farthest, unused_nearest;
   logic [24:0]             sum_clamped, farthest_q;
-  logic                    sum_held, all_q, some_q, several_q;
+  logic                    all_q, some_q, several_q;
   logic [shadow_pkg::IdBits-1:0] sum_object_q;
   assign sum_texel = word_q[32'(sum_lane_q)*T+:T];
   assign sum_list  = sum_texel.word[shadow_pkg::ListBits-1:0];
@@ -193,8 +200,6 @@ module texel_buffers (
     .base_i(sum_texel.word[2*CodeBits+:B]), .steep_i(steep_q[sum_lane_q]),
     .half_i(half_q[32'(sum_lane_q)*27+:27]), .nearest_o(unused_nearest), .farthest_o(sum_farthest)
   );
-  assign sum_held    = sum_texel.kind == shadow_pkg::TexelPlane
-                       || (sum_texel.kind != shadow_pkg::TexelEmpty && sum_list.covered);
   assign sum_depth   = sum_texel.kind == shadow_pkg::TexelPlane ? sum_farthest : sum_list.cover_depth;
   assign sum_clamped = sum_depth[31] ? '1 : |sum_depth[30:24] ? 25'h0ffffff : {1'b0, sum_depth[23:0]};
   assign sum_covered_o  = all_q;
@@ -203,7 +208,6 @@ module texel_buffers (
   assign sum_farthest_o = farthest_q;
 
   // ---- Control --------------------------------------------------------------------------------------
-  logic tile_ends_q;  // the sum is complete
   always_comb begin
     pop_o     = 1'b0;
     todo_d    = todo_q;
@@ -218,17 +222,20 @@ module texel_buffers (
       end else if (running_q) begin
         if (done_i) begin
           pop_o     = todo_q == '0 && !settles;
-          sums_d    = todo_q == '0 && settles;
-          resumed_d = todo_q != '0;
+          resumed_d = todo_q != '0 || settles;
         end
       end else begin
         todo_d    = wanted & ~(4'd1 << lane);
         resumed_d = wanted != '0;
-        pop_o     = wanted == '0 && !settles;
-        sums_d    = wanted == '0 && settles;
+        sums_d    = wanted == '0 && settles && all_q && held == '1;
+        pop_o     = wanted == '0 && !sums_d;
       end
+    end else if (load_o) begin
+      pop_o = quick;
     end
   end
+  // Nothing is to be done with the word.
+  assign quick = settles && data_bare == '0 && !(all_q && data_held == '1);
   assign sum_valid_o = tile_ends_q;
 
   // ---- Back to the window and the memory ------------------------------------------------------------
@@ -239,7 +246,7 @@ module texel_buffers (
   assign keep_o     = unkept_q && back;
   assign mem_done   = dirty_q == '0 || wr_ready_i;
   assign keep_done  = !unkept_q || keep_ready_i;
-  assign load_o     = in_valid_i && in_fresh_i && mem_done && keep_done;
+  assign load_o     = in_valid_i && in_fresh_i && mem_done && keep_done && !tile_ends_q;
   assign clean_o    = dirty_q == '0 && !unkept_q;
   assign idle_o     = clean_o && !in_valid_i && !tile_ends_q;
   assign word_o     = word_q;
@@ -268,7 +275,7 @@ module texel_buffers (
       running_q   <= start_o || (running_q && !done_i);
       resumed_q   <= resumed_d;
       sums_q      <= sums_d;
-      tile_ends_q <= sums_q && pop_o && in_i.x[0];
+      tile_ends_q <= tile_ends_q ? !sum_ready_i : settles && pop_o && in_i.x[0];
       `CHECK(done_when_running, !done_i || running_q)
     end
   end
@@ -285,19 +292,18 @@ module texel_buffers (
       tri_steep_q <= tri_steep;
       tri_half_q  <= tri_half;
     end
-    if (tile_ends_q || (at_work && begins)) begin
+    if ((tile_ends_q && sum_ready_i) || (at_work && begins)) begin
       all_q      <= 1'b1;
       some_q     <= 1'b0;
       several_q  <= 1'b0;
       farthest_q <= '1;
     end else if (sums_q) begin
-      all_q <= all_q && sum_held;
-      if (sum_held) begin
-        some_q       <= 1'b1;
-        sum_object_q <= sum_texel.object;
-        several_q    <= several_q || (some_q && sum_texel.object != sum_object_q);
-        if ($signed(sum_clamped) > $signed(farthest_q)) farthest_q <= sum_clamped;
-      end
+      some_q       <= 1'b1;
+      sum_object_q <= sum_texel.object;
+      several_q    <= several_q || (some_q && sum_texel.object != sum_object_q);
+      if ($signed(sum_clamped) > $signed(farthest_q)) farthest_q <= sum_clamped;
+    end else if (settles && pop_o) begin
+      all_q <= 1'b0;
     end
   end
 endmodule

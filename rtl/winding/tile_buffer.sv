@@ -3,19 +3,20 @@
 // Twins:   model/unit/winding/shadow_unit_pass1.cpp (announce, visit up to the texel), shadow_unit_pass2.cpp
 //          (sum_up's result), texel_buffers.h (touch)
 // Numbers: bounds are clamped to -1 .. 2^24 - 1, signed.
-// Timing:  one visit a cycle in the tile held; another tile costs a cycle, once its word is there; a tile's
-//          first visit 16 cycles more, in which its texels are written empty.
+// Timing:  one visit a cycle in the tile held; another tile costs a cycle, once its word is there. A tile's first
+//          visit has its texels written empty, in 16 cycles from its own word on; visits of words still to be
+//          written wait. An announced fragment takes a cycle, in whatever tile; a tile to settle one, if it
+//          is touched 17.
 //
 // A visit that passes goes on with the address of its texel word; what the mask refuses ends here. With
-// settling_i the visits of kind VisitTile name tiles to settle: each goes on as the 16 words of a touched tile,
-// and its sum comes back. Otherwise they are announced fragments.
+// settling_i the visits of kind VisitTile name tiles to settle: each goes on as the 16 words of a touched tile;
+// the tile waits in a queue until its sum comes back. Otherwise they are announced fragments.
 `include "check.svh"
 module tile_buffer (
   input  logic                                  clk_i,
   input  logic                                  rst_ni,
-  input  logic                                  clear_i,
+  input  logic                                  clear_i,       // also a new frame: tile slots are given from 0 on
   input  logic                                  skip_masked_i, // settings_t.skip_receiver_mask
-  input  logic                                  first_slot_i,  // a new frame: tile slots are given from 0 on
   input  logic                                  settling_i,
   // work and its tile word, from memory_window
   input  logic                                  in_valid_i,
@@ -27,6 +28,7 @@ module tile_buffer (
   output logic                                  clean_o,       // the tile held is as in the memory
   output logic                                  keep_o,        // writes the tile back to the window
   input  logic                                  keep_ready_i,
+  input  logic [2*(shadow_pkg::MapBits-3)-1:0]  tile_addr_i,   // of the tile held
   output logic [shadow_pkg::TileBits-1:0]       tile_o,
   // visits that go on
   output logic                                  out_valid_o,
@@ -35,16 +37,21 @@ module tile_buffer (
   output logic [shadow_pkg::TexelAddrBits-2:0]  out_addr_o,
   output shadow_pkg::visit_t                    out_o,         // mask: texels visited, of edges too
   // the sum of a settled tile
-  input  logic                                  sum_valid_i,
+  input  logic                                  sum_valid_i,   // held until sum_ready_o
+  output logic                                  sum_ready_o,
   input  logic                                  sum_covered_i, // every texel is
   input  logic                                  sum_several_i,
   input  logic [shadow_pkg::IdBits-1:0]         sum_object_i,
   input  logic [24:0]                           sum_farthest_i,
-  // memory writes: the tile held, or an empty texel word
+  // memory writes: of a tile
   output logic                                  wr_valid_o,
   input  logic                                  wr_ready_i,
-  output logic                                  wr_texels_o,   // an empty texel word at wr_addr_o
-  output logic [shadow_pkg::TexelAddrBits-2:0]  wr_addr_o,
+  output logic [2*(shadow_pkg::MapBits-3)-1:0]  wr_addr_o,
+  output logic [shadow_pkg::TileBits-1:0]       wr_tile_o,
+  // of an empty texel word
+  output logic                                  touch_valid_o,
+  input  logic                                  touch_ready_i,
+  output logic [shadow_pkg::TexelAddrBits-2:0]  touch_addr_o,
   output logic                                  idle_o,
   // events
   output logic [2:0]                            visits_o,
@@ -57,10 +64,11 @@ module tile_buffer (
   localparam int unsigned CodeBits = shadow_pkg::GradientCodeBits;
   localparam logic [24:0] None = 25'h0ffffff;
 
-  localparam logic [1:0] Run = 2'd0, Touch = 2'd1, Words = 2'd2, Sum = 2'd3;
-  logic [1:0]        state_d, state_q;
+  localparam int unsigned AddrBits = 2 * (shadow_pkg::MapBits - 3);
   logic              dirty_q, unkept_q, flush_q, steep_q;
-  logic [3:0]        word_d, word_q;  // of the tile's 16
+  logic [3:0]        word_d, word_q;  // of the tile's 16: the next to settle
+  logic              touching_q;      // the texels of slot_q are written empty:
+  logic [3:0]        first_q, written_q;  // words from first_q on
   logic [26:0]       half_q;
   logic [shadow_pkg::TileSlotBits-1:0] slot_q;
   shadow_pkg::tile_t tile_d, tile_q;
@@ -120,73 +128,82 @@ module tile_buffer (
   assign nearest_clamped = nearest[31] ? '1 : |nearest[30:24] ? None : {1'b0, nearest[23:0]};
 
   // ---- What becomes of the work -----------------------------------------------------------------
+  logic              loads_announced, pending, awaits;
+  logic [3:0]        place;  // the visit's word of the tile
+  shadow_pkg::tile_t data, announced;
   assign at_work = in_valid_i && !in_fresh_i && !flush_q;
+  assign data    = in_tile_i;
+  assign place  = {texel[5:3], texel[2]};
+  assign awaits  = touching_q && tile_q.slot == slot_q && place - first_q >= written_q;
+  // A fragment is noted as its tile is loaded, too.
+  assign loads_announced = load_o && announces;
   always_comb begin
-    state_d     = state_q;
+    announced      = load_o ? data : tile_q;
+    announced.mask[texel] = 1'b1;
+    if (body[23:0] > announced.last) announced.last = body[23:0];
+  end
+  always_comb begin
     word_d      = word_q;
     tile_d      = tile_q;
     change      = 1'b0;
     pop_o       = 1'b0;
     out_valid_o = 1'b0;
     touched_o   = 1'b0;
+    pending     = 1'b0;
     out_o       = in_i;
     out_o.mask  = passing;
-    out_addr_o  = {tile_q.slot, texel[5:3], texel[2]};
-    case (state_q)
-      Run: if (at_work) begin
-        if (begins) begin
-          out_valid_o = 1'b1;
-          pop_o       = out_ready_i;
-        end else if (announces) begin
-          tile_d.mask[texel] = 1'b1;
-          if (body[23:0] > tile_q.last) tile_d.last = body[23:0];
-          change = 1'b1;
-          pop_o  = 1'b1;
-        end else if (settling_i) begin
-          if (tile_q.touched) state_d = Words;
-          else pop_o = 1'b1;
-        end else if (passing == '0) begin
-          pop_o = 1'b1;
-        end else if (!tile_q.touched) begin
-          state_d = Touch;
-        end else begin
-          out_valid_o = 1'b1;
-          pop_o       = out_ready_i;
-          change      = out_ready_i && $signed(nearest_clamped) < $signed(tile_q.nearest);
-          if (change) tile_d.nearest = nearest_clamped;
-        end
+    out_addr_o  = {tile_q.slot, place};
+    if (loads_announced || (at_work && announces)) begin
+      tile_d = announced;
+      change = 1'b1;
+      pop_o  = 1'b1;
+    end else if (load_o) begin
+      pop_o = settling_i && !begins && !data.touched;
+    end else if (at_work && begins) begin
+      out_valid_o = 1'b1;
+      pop_o       = out_ready_i;
+    end else if (at_work && settling_i) begin
+      out_valid_o = tile_q.touched && pending_ready;
+      out_o.mask  = '1;
+      out_o.x     = shadow_pkg::MapBits'(word_q == '1);  // the tile's last
+      out_addr_o  = {tile_q.slot, word_q};
+      if (out_valid_o && out_ready_i) word_d = word_q + 1'b1;
+      pending     = out_valid_o && out_ready_i && word_q == '1;
+      pop_o       = pending;
+    end else if (at_work && passing == '0) begin
+      pop_o = 1'b1;
+    end else if (at_work && !tile_q.touched) begin
+      touched_o = !touching_q;
+      change    = touched_o;
+      if (touched_o) begin
+        tile_d.touched = 1'b1;
+        tile_d.slot    = slot_q;
       end
-      Touch: if (wr_ready_i) begin
-        word_d = word_q + 1'b1;
-        if (word_q == '1) begin
-          tile_d.touched = 1'b1;
-          tile_d.slot    = slot_q;
-          change         = 1'b1;
-          touched_o      = 1'b1;
-          state_d        = Run;
-        end
-      end
-      Words: begin
-        out_valid_o = 1'b1;
-        out_o.mask  = '1;
-        out_o.x     = shadow_pkg::MapBits'(word_q == '1);  // the tile's last
-        out_addr_o  = {tile_q.slot, word_q};
-        if (out_ready_i) begin
-          word_d = word_q + 1'b1;
-          if (word_q == '1) state_d = Sum;
-        end
-      end
-      Sum: if (sum_valid_i) begin
-        tile_d.object_valid = sum_covered_i;
-        tile_d.several      = sum_covered_i && sum_several_i;
-        tile_d.object       = sum_object_i;
-        tile_d.farthest     = sum_covered_i ? sum_farthest_i : None;
-        change  = 1'b1;
-        pop_o   = 1'b1;
-        state_d = Run;
-      end
-    endcase
+    end else if (at_work && !awaits) begin
+      out_valid_o = 1'b1;
+      pop_o       = out_ready_i;
+      change      = out_ready_i && $signed(nearest_clamped) < $signed(tile_q.nearest);
+      if (change) tile_d.nearest = nearest_clamped;
+    end
   end
+
+  // ---- Tiles whose sums are due -----------------------------------------------------------------
+  logic                pending_ready, summed_valid, pending_empty;
+  logic [AddrBits-1:0] summed_addr;
+  shadow_pkg::tile_t   waiting, summed;
+  fifo #(.Width(AddrBits + shadow_pkg::TileBits), .Depth(4)) tiles (
+    .clk_i, .rst_ni, .clear_i, .valid_i(pending), .ready_o(pending_ready), .data_i({tile_addr_i, tile_q}),
+    .valid_o(summed_valid), .ready_i(sum_valid_i && wr_ready_i), .data_o({summed_addr, waiting}),
+    .empty_o(pending_empty)
+  );
+  always_comb begin
+    summed              = waiting;
+    summed.object_valid = sum_covered_i;
+    summed.several      = sum_covered_i && sum_several_i;
+    summed.object       = sum_object_i;
+    summed.farthest     = sum_covered_i ? sum_farthest_i : None;
+  end
+  assign sum_ready_o = wr_ready_i;
   assign out_bare_o = begins;
   assign visits_o   = pop_o && !begins && in_i.kind != VisitTile ? count(texels) : '0;
   assign masked_o   = pop_o && !begins && in_i.kind != VisitTile ? count(masked) : '0;
@@ -196,48 +213,57 @@ module tile_buffer (
   endfunction
 
   // ---- Back to the window and the memory: before another tile is loaded, or with nothing to do --------
-  assign wr_texels_o  = state_q == Touch;
-  assign wr_addr_o    = {slot_q, word_q};
+  assign touch_valid_o = touching_q;
+  assign touch_addr_o  = {slot_q, first_q + written_q};
   assign settled_back = flush_q || (in_valid_i && in_fresh_i);
-  assign wr_valid_o   = wr_texels_o || (dirty_q && settled_back);
+  // A tile to settle is as in the memory: no sum meets the tile held on its way.
+  assign wr_valid_o   = (dirty_q && settled_back) || sum_valid_i;
+  assign wr_addr_o    = sum_valid_i ? summed_addr : tile_addr_i;
+  assign wr_tile_o    = sum_valid_i ? summed : tile_q;
   assign keep_o       = unkept_q && settled_back;
   assign mem_done     = !dirty_q || wr_ready_i;
   assign keep_done    = !unkept_q || keep_ready_i;
   assign load_o       = in_valid_i && in_fresh_i && mem_done && keep_done;
   assign clean_o      = !dirty_q && !unkept_q;
-  assign idle_o       = clean_o && !in_valid_i && state_q == Run;
+  assign idle_o       = clean_o && !in_valid_i && !touching_q && pending_empty;
   assign tile_o       = tile_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      state_q  <= Run;
-      dirty_q  <= 1'b0;
-      unkept_q <= 1'b0;
-      flush_q  <= 1'b0;
-      word_q   <= '0;
-      slot_q   <= '0;
+      dirty_q    <= 1'b0;
+      unkept_q   <= 1'b0;
+      flush_q    <= 1'b0;
+      touching_q <= 1'b0;
+      word_q     <= '0;
+      slot_q     <= '0;
     end else if (clear_i) begin
-      state_q  <= Run;
-      dirty_q  <= 1'b0;
-      unkept_q <= 1'b0;
-      flush_q  <= 1'b0;
-      word_q   <= '0;
-      slot_q   <= '0;
+      dirty_q    <= 1'b0;
+      unkept_q   <= 1'b0;
+      flush_q    <= 1'b0;
+      touching_q <= 1'b0;
+      word_q     <= '0;
+      slot_q     <= '0;
     end else begin
-      state_q  <= state_d;
-      word_q   <= word_d;
-      dirty_q  <= change || (dirty_q && !(wr_valid_o && !wr_texels_o && wr_ready_i));
-      unkept_q <= change || (unkept_q && !(keep_o && keep_ready_i));
-      flush_q  <= flush_q ? !(mem_done && keep_done) : !in_valid_i && !clean_o && state_q == Run;
-      if (first_slot_i) slot_q <= '0;
-      else if (touched_o) slot_q <= slot_q + 1'b1;
+      word_q     <= word_d;
+      dirty_q    <= change || (dirty_q && !(wr_valid_o && wr_ready_i));
+      unkept_q   <= change || (unkept_q && !(keep_o && keep_ready_i));
+      flush_q    <= flush_q ? !(mem_done && keep_done) : !in_valid_i && !clean_o;
+      touching_q <= touched_o || (touching_q && !(touch_ready_i && written_q == '1));
+      if (touching_q && touch_ready_i && written_q == '1) slot_q <= slot_q + 1'b1;
+      `CHECK(sums_in_order, !sum_valid_i || (summed_valid && !dirty_q))
       `CHECK(passes_within_its_tile, !(out_valid_o && !out_bare_o) || tile_q.touched)
     end
   end
 
   always_ff @(posedge clk_i) begin
-    if (load_o) tile_q <= in_tile_i;
-    else if (change) tile_q <= tile_d;
+    if (change) tile_q <= tile_d;
+    else if (load_o) tile_q <= in_tile_i;
+    if (touched_o) begin
+      first_q   <= place;
+      written_q <= '0;
+    end else if (touch_ready_i) begin
+      written_q <= written_q + 1'b1;
+    end
     if (at_work && begins) begin
       half_q  <= half;
       steep_q <= steep;

@@ -30,7 +30,7 @@ struct WindingLayout {
   struct Texel {
     std::size_t bits, word_bits;
     Field kind, object;                 ///< and, from bit 0 on, a threshold, or:
-    Field covered, cover_depth, first;  ///< of a list
+    Field covered, bare, cover_depth, first;  ///< of a list
   };
   struct Tile {
     std::size_t bits;
@@ -87,13 +87,14 @@ struct WindingLayout {
     threshold.gradient_x = h.field(code);
     threshold.gradient_y = h.field(code);
 
-    Layout list(1 + kCoverBits + address);
+    Layout list(2 + kCoverBits + address);
     Layout t(2 + id + std::max(threshold.bits, list.bits()));
     texel.bits = t.bits();
     texel.word_bits = kTexelsPerWord * texel.bits;
     texel.kind = t.field(2);
     texel.object = t.field(id);
     texel.covered = list.field(1);
+    texel.bare = list.field(1);
     texel.cover_depth = list.field(kCoverBits);
     texel.first = list.field(address);
 

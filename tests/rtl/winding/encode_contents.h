@@ -29,7 +29,7 @@ class ContentsEncoder {
     base_bits_ = unsigned(unit.widths().base_bits());
     code_bits_ = code;
     threshold_bits_ = base_bits_ + 2 * code;
-    word_bits_ = std::max(threshold_bits_, 1 + 32 + w_.record_address_bits);
+    word_bits_ = std::max(threshold_bits_, 2 + 32 + w_.record_address_bits);
     segment_bits_ = 3 + 4 * (g_ + 1);
   }
   unsigned texel_bits() const { return 2 + w_.id_bits + word_bits_; }
@@ -102,9 +102,10 @@ class ContentsEncoder {
     if (texel.empty()) return;
     const bool covered = texel.object != unit::winding::Texel::kNobody;
     put(w_.id_bits, covered ? texel.object : random_());
-    put.left = at + (texel.one_plane() ? threshold_bits_ : 1 + 32 + w_.record_address_bits);
+    put.left = at + (texel.one_plane() ? threshold_bits_ : 2 + 32 + w_.record_address_bits);
     if (texel.one_plane()) return put_threshold(put, texel.cover);
     put(1, covered);
+    put(1, random_() & 1);  // no matter in pass 2
     put(32, static_cast<std::uint32_t>(covered ? texel.cover.base : std::int32_t(random_())));
     put(w_.record_address_bits, texel.has_list() ? list(texel.list, slb) : random_());
   }
