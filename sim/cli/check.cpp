@@ -9,6 +9,7 @@
 #include "model/frame_setup.h"
 #include "sim/cli/check_options.h"
 #include "sim/cli/commands.h"
+#include "sim/cli/cycle_check.h"
 #include "sim/cli/input.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/stopwatch.h"
@@ -161,7 +162,9 @@ class CheckRun {
     if (!engine_) {
       RtlOptions options;
       options.kind = build_kind(arguments_.bench);
+      options.keep_cycles = true;
       engine_ = std::make_unique<RtlEngine>(options);
+      model_ = std::make_unique<SystemcEngine>(SystemcOptions{{}, true});
     }
 
     Figures figures;
@@ -189,6 +192,12 @@ class CheckRun {
         engine_->bench().reset();
         break;
       }
+      progress_.update(input + ": systemc", double(n) / double(frames_));
+      model_->set_timing(timing);
+      const CycleCheck cycles = check_cycles(frame, expected, *engine_, *model_);
+      figures.verdict_differences += cycles.verdict_differences;
+      figures.cycle_differences += cycles.cycle_differences;
+      if (!cycles.first.empty()) tell_cycles(input, scale, cycles.first);
       if (before && !cut(input, frame, timing.seed, *before, figures)) break;
       if (varies) ++timing.seed;
     }
@@ -218,6 +227,15 @@ class CheckRun {
     }
   }
 
+  void tell_cycles(const std::string& input, const std::string& scale,
+                   const std::vector<std::string>& lines) {
+    if (!first_.is_null()) return;  // the first of all
+    told_.push_back(
+        fmt::format("First difference, {}{}:", input, scale.empty() ? "" : " at scale " + scale));
+    for (const std::string& line : lines) told_.push_back("  " + line);
+    first_ = {{"input", input}, {"scale", scale}, {"kind", "cycles"}, {"lines", lines}};
+  }
+
   void tell(const std::string& input, const std::string& scale, const Frame& frame,
             const Expected& expected, const Timing& timing, const FirstDifference& first) {
     if (!first_.is_null()) return;  // the first of all
@@ -244,6 +262,7 @@ class CheckRun {
   const Settings settings_;
   const std::uint64_t frames_, aborts_;
   std::unique_ptr<RtlEngine> engine_;
+  std::unique_ptr<SystemcEngine> model_;
   bool headed_ = false;
   Json first_;
   std::vector<std::string> told_;
@@ -254,7 +273,8 @@ class CheckRun {
 void add_check(CLI::App& app) {
   auto arguments = std::make_shared<CheckArguments>();
   CLI::App& command = *app.add_subcommand(
-      "check", "Runs the Verilog and the golden unit in lock step and compares all they do");
+      "check",
+      "Runs the Verilog, the golden unit and the SystemC model in lock step and compares all they do");
   command
       .add_option("INPUT", arguments->inputs,
                   "Built-in scenes (kagesen scenes), mesh files or traces")

@@ -137,6 +137,13 @@ Expected expect(const Frame& frame) {
   return out;
 }
 
+std::vector<Verdict> run_frame(const Frame& frame, Engine& engine) {
+  std::vector<Verdict> verdicts;
+  first_pass(frame, frame.trace.all_casters.size(), engine);
+  second_pass(frame, frame.trace.all_fragments.size(), engine, verdicts);
+  return verdicts;
+}
+
 LockStepResult lock_step(const Frame& frame, const Expected& expected, RtlEngine& engine) {
   LockStepResult result;
   result.fragments = frame.trace.all_fragments.size();

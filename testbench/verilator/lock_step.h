@@ -29,6 +29,8 @@ struct Expected {
   UnitCounters counters;
 };
 Expected expect(const Frame& frame);
+/// Both passes through any engine.
+std::vector<Verdict> run_frame(const Frame& frame, Engine& engine);
 
 struct FirstDifference {
   std::string kind;                ///< "verdict", "buffer", "counter" or "failure"

@@ -35,10 +35,8 @@ TEST(PaperCycles, RandomTimings) {
     timing.stream_stall = one_of({0, 0, 10, 70});
     timing.interval = one_of({1, 1, 2, 5});
     timing.outstanding = one_of({0, 0, 1, 3, 16});
-    timing.banks = one_of({1, 2, 8});
-    timing.bank_busy = one_of({1, 1, 3});
     timing.seed = random();
-    SCOPED_TRACE(round);
+    SCOPED_TRACE(testing::Message() << round << ": latency " << timing.latency << ", spread " << timing.spread << ", stall " << timing.memory_stall << "/" << timing.stream_stall << ", interval " << timing.interval << ", outstanding " << timing.outstanding);
     expect_equal_cycles(trace, small_config(), timing, one_of({0, 0, 1, 97}));
     if (HasFailure()) return;
   }
