@@ -46,8 +46,10 @@ void ShadowLane::take() {
 /// that takes a read after `until`.
 bool ShadowLane::decide_oldest(Cycle until) {
   const std::uint32_t oldest = slots.slot_of(slots.retired());
-  while (!slots.decided(oldest)) {
-    const Cycle list = lists.next(), word = early.next_word();
+  for (;;) {
+    const Cycle word = early.next_word();
+    if (slots.decided(oldest)) return true;
+    const Cycle list = lists.next();
     if (std::min(list, word) > until) return false;
     if (word <= list) {
       early.read_word();
@@ -55,7 +57,6 @@ bool ShadowLane::decide_oldest(Cycle until) {
       lists.step();
     }
   }
-  return true;
 }
 
 void ShadowLane::retire() {
