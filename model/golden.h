@@ -32,5 +32,14 @@ inline int map_bits(const UnitConfig& config) {
   return std::max(kLeast,
                   bits_for(static_cast<std::uint64_t>(std::max(config.map_width, config.map_height))));
 }
+/// Of an address of the SLB, as the Verilog is built: smaller capacities are registers of the same build.
+inline int record_addr_bits(const UnitConfig& c) {
+  const UnitConfig least;
+  const std::int64_t records =
+      c.profile == Profile::kWinding
+          ? std::max(c.cluster_records, least.cluster_records)
+          : std::max(c.slb_buckets + c.slb_entries, least.slb_buckets + least.slb_entries);
+  return bits_for(static_cast<std::uint64_t>(records));
+}
 
 }  // namespace kagesen

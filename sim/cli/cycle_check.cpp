@@ -53,7 +53,9 @@ CycleCheck check_cycles(const Frame& frame, const Expected& expected, const RtlE
   const std::vector<FragmentCycles>&a = model.fragment_cycles(), &b = rtl.fragment_cycles();
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a[i] == b[i]) continue;
-    if (check.cycle_differences++ == 0) check.first = side_by_side(frame, b, a, i);
+    if (check.cycle_differences++ > 0) continue;
+    check.first_fragment = i;
+    check.first = side_by_side(frame, b, a, i);
   }
   const CycleReport ours = *model.cycles(), theirs = *rtl.cycles();
   std::vector<std::string> figures;

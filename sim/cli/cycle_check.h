@@ -13,6 +13,7 @@ struct CycleCheck {
   std::uint64_t verdict_differences = 0;  ///< of SystemC from golden
   /// Fragments whose cycles differ, and figures of passes: totals and causes.
   std::uint64_t cycle_differences = 0;
+  std::uint64_t first_fragment = 0;
   std::vector<std::string> first;  ///< the first of them, for people
 };
 

@@ -2,6 +2,8 @@
 
 #include <set>
 
+#include "sim/cli/cycle_check.h"
+
 namespace kagesen {
 namespace {
 
@@ -15,15 +17,24 @@ CheckResult check_lock_step(const CheckInput& in) {
   RtlOptions options;
   options.kind = BuildKind::kCheck;
   options.timing = draw_timing(dice);
+  options.keep_cycles = true;
   RtlEngine engine(options);
+  SystemcEngine model({options.timing, true});
   const Trace& trace = in.subject.trace();
   Frame frame{trace, config_for(trace, in.setting), frame_setup(trace, in.setting)};
   if (dice.one_in(4)) frame.portions = static_cast<std::size_t>(dice.in(1, 200));
-  const LockStepResult lock = lock_step(frame, expect(frame), engine);
+  const Expected expected = expect(frame);
+  const LockStepResult lock = lock_step(frame, expected, engine);
   CheckResult result;
   result.compared = trace.all_fragments.size();
   result.failed = lock.wrong_fragments;
   if (!lock.equal() && result.failed.empty()) result.failed.push_back(0);
+  if (lock.equal()) {
+    const CycleCheck cycles = check_cycles(frame, expected, engine, model);
+    if (cycles.verdict_differences + cycles.cycle_differences > 0) {
+      result.failed.push_back(static_cast<std::uint32_t>(cycles.first_fragment));
+    }
+  }
   return result;
 }
 
@@ -82,7 +93,7 @@ Timing draw_timing(Dice& dice) {
 }
 
 const stress::Check& lock_step_check() {
-  static const stress::Check check = {"lock_step", "the Verilog and golden disagree",
+  static const stress::Check check = {"lock_step", "the Verilog and golden, or the cycles of SystemC, disagree",
                                       Profile::kPaper, false, check_lock_step};
   return check;
 }

@@ -10,15 +10,6 @@
 namespace kagesen {
 namespace {
 
-int record_addr_bits(const UnitConfig& c) {
-  const UnitConfig least;  // smaller capacities are registers of the same build
-  if (c.profile == Profile::kWinding) {
-    return bits_for(static_cast<std::uint64_t>(std::max(c.cluster_records, least.cluster_records)));
-  }
-  return bits_for(static_cast<std::uint64_t>(
-      std::max(c.slb_buckets + c.slb_entries, least.slb_buckets + least.slb_entries)));
-}
-
 std::map<std::string, std::string> values(const UnitConfig& c) {
   const PackageWidths widths(c);
   const unit::winding::Widths winding(c, kMaxFractionBits);

@@ -39,6 +39,9 @@ class ShadowLane : public sc_core::sc_module {
 
   explicit ShadowLane(const sc_core::sc_module_name& name);
 
+  MemoryPort& texel_port() { return texels.port; }
+  MemoryPort& slb_port() { return slb.port; }
+
   void begin_pass(const Pass& pass);
   /// What the next fragment reads is to be put here, before it is taken.
   unit::FragmentTrail& open() {
