@@ -15,6 +15,7 @@ module memory_window #(
   parameter int unsigned PayloadBits = 8,
   parameter int unsigned Lines       = 4,  // powers of two, 2 or more
   parameter int unsigned Depth       = 4,
+  parameter int unsigned RowBits     = AddrBits,  // of the address's lower coordinate, LineBits or more
   localparam int unsigned LineBits   = $clog2(Lines)
 ) (
   input  logic                   clk_i,
@@ -50,11 +51,13 @@ module memory_window #(
   input  logic [Width-1:0]       rsp_data_i
 );
   localparam int unsigned KeyBits = AddrBits - LineBits;
-  // Neighbours along either axis of the map are to have different lines: all of the address plays a part.
+  // Neighbours along either axis of the map are to have different lines: all of the address plays a part, and
+  // the low bits of the one coordinate meet the high bits of the other.
   function automatic logic [LineBits-1:0] line_of(input logic [AddrBits-1:0] addr);
     line_of = addr[LineBits-1:0];
     for (int unsigned i = LineBits; i < AddrBits; i++) begin
-      line_of[i%LineBits] = line_of[i%LineBits] ^ addr[i];
+      if (i < RowBits) line_of[i%LineBits] = line_of[i%LineBits] ^ addr[i];
+      else line_of[(i-RowBits+(LineBits+1)/2)%LineBits] = line_of[(i-RowBits+(LineBits+1)/2)%LineBits] ^ addr[i];
     end
   endfunction
   localparam int unsigned SeqBits = $clog2(Depth) + 5;  // pieces inside: Depth + 2 at most

@@ -146,7 +146,7 @@ module store (
 
   memory_window #(
     .Width(shadow_pkg::TileBits), .AddrBits(TileAddrBits), .PayloadBits(VisitBits),
-    .Lines(TileLines), .Depth(shadow_pkg::VisitFifoDepth)
+    .Lines(TileLines), .Depth(shadow_pkg::VisitFifoDepth), .RowBits(M - 3)
   ) tile_window (
     .clk_i, .rst_ni, .clear_i(drop),
     .in_valid_i(work_valid), .in_ready_o(work_ready), .in_bare_i(work.kind == shadow_pkg::VisitBegin),

@@ -3,10 +3,9 @@
 // Twins:   model/unit/winding/shadow_unit_pass1.cpp (announce, visit up to the texel), shadow_unit_pass2.cpp
 //          (sum_up's result), texel_buffers.h (touch)
 // Numbers: bounds are clamped to -1 .. 2^24 - 1, signed.
-// Timing:  one visit a cycle in the tile held; another tile costs a cycle, once its word is there. A tile's first
-//          visit has its texels written empty, in 16 cycles from its own word on; visits of words still to be
-//          written wait. An announced fragment takes a cycle, in whatever tile; a tile to settle one, if it
-//          is touched 17.
+// Timing:  a visit or an announced fragment a cycle, in whatever tile, once its word is there. A tile's first visit
+//          has its texels written empty, in 16 cycles from its own word on; visits of words still to be written
+//          wait. A tile to settle takes a cycle, if it is touched one for each word.
 //
 // A visit that passes goes on with the address of its texel word; what the mask refuses ends here. With
 // settling_i the visits of kind VisitTile name tiles to settle: each goes on as the 16 words of a touched tile;
@@ -71,13 +70,17 @@ module tile_buffer (
   logic [3:0]        first_q, written_q;  // words from first_q on
   logic [26:0]       half_q;
   logic [shadow_pkg::TileSlotBits-1:0] slot_q;
-  shadow_pkg::tile_t tile_d, tile_q;
+  shadow_pkg::tile_t tile_d, tile_q, data, tile;
 
   logic        begins, announces, edge_visit, at_work, change, settled_back, mem_done, keep_done;
   logic [3:0]  texels, in_mask, masked, passing;
   assign begins     = in_i.kind == shadow_pkg::VisitBegin;
   assign edge_visit = in_i.kind == shadow_pkg::VisitEdge;
   assign announces  = in_i.kind == VisitTile && !settling_i;
+  // A visit is carried out as its tile is loaded.
+  assign at_work    = in_valid_i && (in_fresh_i ? load_o : !flush_q);
+  assign data       = in_tile_i;
+  assign tile       = in_fresh_i ? data : tile_q;
 
   // ---- The triangle's planes: a begin carries their gradients in place of the bases -------------
   logic [4*B-1:0] body, bases;
@@ -94,11 +97,11 @@ module tile_buffer (
   logic [27:0]           least;
   logic signed [B-1:0]   limit;
   logic [5:0]            texel;
-  assign least  = 28'(tile_q.last) + 28'(half_q) + 28'd1;
+  assign least  = 28'(tile.last) + 28'(half_q) + 28'd1;
   assign limit  = $signed(B'((30'(least) + 30'((1 << Step) - 1)) >> Step));
   assign texel  = {in_i.y[2:0], in_i.x[2:0]};
   assign texels = edge_visit ? 4'd1 << in_i.x[1:0] : in_i.mask;
-  assign in_mask = tile_q.mask[{texel[5:2], 2'd0}+:4];
+  assign in_mask = tile.mask[{texel[5:2], 2'd0}+:4];
 
   logic signed [B-1:0] low01, low23, lowest;
   logic [4*B-1:0]      kept;  // bases of the texels that pass, as far as can be for the others
@@ -128,23 +131,13 @@ module tile_buffer (
   assign nearest_clamped = nearest[31] ? '1 : |nearest[30:24] ? None : {1'b0, nearest[23:0]};
 
   // ---- What becomes of the work -----------------------------------------------------------------
-  logic              loads_announced, pending, awaits;
-  logic [3:0]        place;  // the visit's word of the tile
-  shadow_pkg::tile_t data, announced;
-  assign at_work = in_valid_i && !in_fresh_i && !flush_q;
-  assign data    = in_tile_i;
-  assign place  = {texel[5:3], texel[2]};
-  assign awaits  = touching_q && tile_q.slot == slot_q && place - first_q >= written_q;
-  // A fragment is noted as its tile is loaded, too.
-  assign loads_announced = load_o && announces;
-  always_comb begin
-    announced      = load_o ? data : tile_q;
-    announced.mask[texel] = 1'b1;
-    if (body[23:0] > announced.last) announced.last = body[23:0];
-  end
+  logic       pending, awaits;
+  logic [3:0] place;  // the visit's word of the tile
+  assign place   = {texel[5:3], texel[2]};
+  assign awaits  = touching_q && tile.slot == slot_q && place - first_q >= written_q;
   always_comb begin
     word_d      = word_q;
-    tile_d      = tile_q;
+    tile_d      = tile;
     change      = 1'b0;
     pop_o       = 1'b0;
     out_valid_o = 1'b0;
@@ -152,27 +145,26 @@ module tile_buffer (
     pending     = 1'b0;
     out_o       = in_i;
     out_o.mask  = passing;
-    out_addr_o  = {tile_q.slot, place};
-    if (loads_announced || (at_work && announces)) begin
-      tile_d = announced;
+    out_addr_o  = {tile.slot, place};
+    if (at_work && announces) begin
+      tile_d.mask[texel] = 1'b1;
+      if (body[23:0] > tile.last) tile_d.last = body[23:0];
       change = 1'b1;
       pop_o  = 1'b1;
-    end else if (load_o) begin
-      pop_o = settling_i && !begins && !data.touched;
     end else if (at_work && begins) begin
       out_valid_o = 1'b1;
       pop_o       = out_ready_i;
     end else if (at_work && settling_i) begin
-      out_valid_o = tile_q.touched && pending_ready;
+      out_valid_o = tile.touched && pending_ready;
       out_o.mask  = '1;
       out_o.x     = shadow_pkg::MapBits'(word_q == '1);  // the tile's last
-      out_addr_o  = {tile_q.slot, word_q};
+      out_addr_o  = {tile.slot, word_q};
       if (out_valid_o && out_ready_i) word_d = word_q + 1'b1;
       pending     = out_valid_o && out_ready_i && word_q == '1;
-      pop_o       = pending;
+      pop_o       = pending || !tile.touched;
     end else if (at_work && passing == '0) begin
       pop_o = 1'b1;
-    end else if (at_work && !tile_q.touched) begin
+    end else if (at_work && !tile.touched) begin
       touched_o = !touching_q;
       change    = touched_o;
       if (touched_o) begin
@@ -182,7 +174,7 @@ module tile_buffer (
     end else if (at_work && !awaits) begin
       out_valid_o = 1'b1;
       pop_o       = out_ready_i;
-      change      = out_ready_i && $signed(nearest_clamped) < $signed(tile_q.nearest);
+      change      = out_ready_i && $signed(nearest_clamped) < $signed(tile.nearest);
       if (change) tile_d.nearest = nearest_clamped;
     end
   end
@@ -251,13 +243,12 @@ module tile_buffer (
       touching_q <= touched_o || (touching_q && !(touch_ready_i && written_q == '1));
       if (touching_q && touch_ready_i && written_q == '1) slot_q <= slot_q + 1'b1;
       `CHECK(sums_in_order, !sum_valid_i || (summed_valid && !dirty_q))
-      `CHECK(passes_within_its_tile, !(out_valid_o && !out_bare_o) || tile_q.touched)
+      `CHECK(passes_within_its_tile, !(out_valid_o && !out_bare_o) || tile.touched)
     end
   end
 
   always_ff @(posedge clk_i) begin
-    if (change) tile_q <= tile_d;
-    else if (load_o) tile_q <= in_tile_i;
+    if (change || load_o) tile_q <= tile_d;
     if (touched_o) begin
       first_q   <= place;
       written_q <= '0;
