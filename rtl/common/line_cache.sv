@@ -10,7 +10,7 @@
 // Hint:    fetches a word that is absent. It waits while its set is in use, or each of its lines holds
 //          a hinted word whose lookups did not all come yet (two are counted); such a one it takes only
 //          while there is no lookup at all. Changes time, never a value. A hint that repeats the last
-//          one is dropped.
+//          one is dropped, and so is a weak one that would have to wait; a weak one holds no line.
 // Lines:   one or two a set. An address's set is its low bits; with Fold they are XORed with all higher
 //          ones, so that the words of a column of a map, whose addresses differ by powers of two, spread.
 // Memory:  tag of a read = line. A read waits while a write to its address does. After clear_i what is
@@ -30,6 +30,7 @@ module line_cache #(
   // words that lookups will ask for soon
   input  logic                hint_valid_i,
   output logic                hint_ready_o,
+  input  logic                hint_weak_i,    // perhaps
   input  logic [AddrBits-1:0] hint_addr_i,
   // the word being worked on
   input  logic                lookup_i,       // begins a lookup, replaces the one before
@@ -85,7 +86,7 @@ module line_cache #(
   logic [Lines-1:0] hinted_q, again_q;   // a lookup is still to come, and another one
   logic [Lines-1:0] awaited;
 
-  logic                lookup_valid_q, new_q, forward_q, forward_way_q, raced_q, met_q, hint_valid_q, hint_raced_q, hinting_q;
+  logic                lookup_valid_q, new_q, forward_q, forward_way_q, raced_q, met_q, hint_valid_q, hint_weak_q, hint_raced_q, hinting_q;
   logic                rd_valid_q, wr_valid_q, turn_q;  // which way the next choice among equals takes
   logic [AddrBits-1:0] lookup_q, hint_q, rd_addr_q, wr_addr_q;
   logic [LineBits-1:0] rd_line_q;
@@ -171,13 +172,13 @@ module line_cache #(
   assign can_fill    = (!rd_valid_q || (rd_valid_o && rd_ready_i)) && !moving && !claiming;
   assign fill_lookup = can_fill && lookup_valid_q && !new_q && !forward_q && !present && !raced_q && lookup_free;
   assign fill_hint   = can_fill && !fill_lookup && hint_valid_q && hint_free && !hint_done && !hint_raced_q;
-  assign hint_ready_o = !hint_valid_q || hint_done || fill_hint;
+  assign hint_ready_o = !hint_valid_q || hint_done || fill_hint || (hint_weak_q && !hint_free);
   assign fill        = fill_lookup || fill_hint;
   assign fill_addr   = fill_lookup ? lookup_q : hint_q;
   assign fill_way    = fill_lookup ? lookup_way : hint_way;
   assign fill_line   = line_of(set_of(fill_addr), fill_way);
 
-  assign hint_again  = hint_valid_q && hint_done;
+  assign hint_again  = hint_valid_q && hint_done && !hint_weak_q;
   assign hint_line   = line_of(hint_set, done_way);
   assign met_now     = hit_o && !met_q;
 
@@ -284,6 +285,7 @@ module line_cache #(
     if (lookup_i) lookup_q <= lookup_addr_i;
     if (lookup_i) new_q <= lookup_new_i;
     if (hint_valid_i && hint_ready_o) hint_q <= hint_addr_i;
+    if (hint_valid_i && hint_ready_o) hint_weak_q <= hint_weak_i;
     hint_raced_q <= key_write && key_set == hint_read_set;
     if (fill) begin
       rd_addr_q <= fill_addr;
@@ -316,7 +318,7 @@ module line_cache #(
     end
     if (fill) begin
       updated_q[fill_line] <= 1'b0;
-      hinted_q[fill_line]  <= fill_hint;
+      hinted_q[fill_line]  <= fill_hint && !hint_weak_q;
       again_q[fill_line]   <= 1'b0;
     end
   end

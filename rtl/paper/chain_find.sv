@@ -101,21 +101,29 @@ module chain_find (
           w.is_own   = !walk_i.has_prev;
           w.is_first = !walk_i.seen;
           w.head     = 1'b1;
-          if (record_i.has_more) begin
-            s.look      = 1'b1;
-            s.look_addr = f.at;
-            state_o     = shadow_pkg::SlbScan;
-          end else if (f.match) begin
+          if (record_i.has_more && !f.match) begin
+            w.next       = record_i.next;
+            w.has_next   = record_i.has_next;
+            w.nearer     = f.nearer;
+            w.new_corner = f.new_corner;
+            w.new_vertex = f.new_vertex;
+            w.length     = walk_i.length + 1'b1;
+            w.ahead      = f.at;
+            w.head       = 1'b0;
+            s.look       = 1'b1;
+            s.look_addr  = record_i.more;
+            state_o      = shadow_pkg::SlbScan;
+          end else if (f.match && !record_i.has_more) begin
             s.write      = 1'b1;
             s.remove     = 1'b1;
             s.set_corner = 1'b1;
             s.emptied    = one_line;
             s.last       = 1'b1;
             s.events.line_cancelled = 1'b1;
-          end else if (f.hidden) begin
+          end else if (f.hidden && !f.match) begin
             s.last = 1'b1;
             s.events.lines_hidden = 16'd1;
-          end else if (f.room && !(f.nearer && (walk_i.seen || record_i.has_next))) begin
+          end else if (f.room && !f.match && !(f.nearer && (walk_i.seen || record_i.has_next))) begin
             s.write       = 1'b1;
             store_here    = 1'b1;
             s.set_nearest = f.nearer;

@@ -44,7 +44,10 @@ module entry_lines (
           w.next     = record_i.next;
           w.has_next = record_i.has_next;
           w.nearer   = f.nearer;
+          w.new_corner = f.new_corner;
+          w.new_vertex = f.new_vertex;
         end
+        w.length = walk_i.length + 1'b1;
         if (walk_i.gap || (!walk_i.settled && f.match)) begin
           if (record_i.has_more) begin
             w.ahead    = f.at;
@@ -67,6 +70,7 @@ module entry_lines (
             end else begin
               s.remove       = 1'b1;
               s.remove_first = walk_i.gap;
+              s.last         = !walk_i.new_corner;
               state_o        = shadow_pkg::SlbMark;
             end
           end
@@ -87,8 +91,8 @@ module entry_lines (
           s.append     = 1'b1;
           s.set_corner = walk_i.head;
           s.set_vertex = walk_i.head;
-          s.stored     = walk_i.head;
-          s.last       = walk_i.head;
+          s.stored     = walk_i.head || !(walk_i.new_corner || walk_i.new_vertex);
+          s.last       = s.stored;
           w.storing    = 1'b1;
           state_o      = shadow_pkg::SlbMark;
         end else if (f.full) begin
@@ -142,7 +146,7 @@ module entry_lines (
         s.write      = 1'b1;
         s.set_corner = 1'b1;
         s.set_vertex = walk_i.storing;
-        if (walk_i.grown && !f.few) begin
+        if (walk_i.grown && !(f.short_chain && (f.few || !walk_i.has_next))) begin
           w.length    = '0;
           s.look_addr = walk_i.own;
           state_o     = shadow_pkg::SlbLength;

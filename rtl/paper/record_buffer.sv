@@ -1,8 +1,9 @@
 // SLB records on chip: the cache of the SLB memory, what is fetched ahead, and how a record changes.
 // Part of silhouette_buffer.
 //
-// Hints come from visits in the queue, which know their bucket; of a record that has come, its chain's
-// next one is hinted, or else the entry's continuation.
+// Hints come from visits in the queue, which know their bucket. Of each record that comes or is hinted
+// again, its chain's next one is hinted too, or else the entry's continuation: where a link of what
+// was worked on leads to, a table of them tells.
 // Timing:  a record looked up in cycle n is there from n + 1 on, if it is on chip (line_cache). An
 //          update is carried out in the cycle in which update_i and update_ready_o are high.
 `include "check.svh"
@@ -46,20 +47,46 @@ module record_buffer (
 );
   localparam int unsigned AddrBits = shadow_pkg::RecordAddrBits;
 
-  shadow_pkg::record_t came;
-  logic                follow_q, follows, wiping_q, wiping, cache_idle;
-  logic [AddrBits-1:0] follow_addr_q, wipe_q;
+  localparam int unsigned Links    = 2 * shadow_pkg::RecordLines;
+  localparam int unsigned LinkBits = $clog2(Links);
+  localparam int unsigned KeyBits  = AddrBits - LinkBits;
 
-  assign came    = rsp_data_i;
-  assign follows = rsp_valid_i && (came.has_next || came.has_more);
+  shadow_pkg::record_t came, linking;
+  logic                wiping_q, wiping, cache_idle;
+  logic [AddrBits-1:0] wipe_q;
+
+  // ---- Links: followed ahead, if nothing more urgent is to be hinted ------------------------------
+  logic                hint, hint_ready, followed, follow_ready, follow_valid, unused_none;
+  logic [AddrBits-1:0] hint_addr, follow_addr, linking_addr, link_addr, lookup_q;
+  logic                asked_q, link_has;
+  logic [KeyBits-1:0]  asked_key_q, link_key;
+
+  assign came         = rsp_data_i;
+  assign linking      = update_i ? update_record_i : record_o;
+  assign linking_addr = update_i ? update_addr_i : lookup_q;
+  ram_1r1w #(.Width(1 + KeyBits + AddrBits), .Depth(Links)) links (
+    .clk_i, .write_i(hit_o || (update_i && update_ready_o)), .write_addr_i(linking_addr[LinkBits-1:0]),
+    .write_data_i({linking.has_next || linking.has_more, linking_addr[AddrBits-1:LinkBits],
+                   linking.has_next ? linking.next : linking.more}),
+    .read_i(1'b1), .read_addr_i(hint_addr[LinkBits-1:0]), .read_data_o({link_has, link_key, link_addr})
+  );
+  assign followed = rsp_valid_i ? came.has_next || came.has_more
+                  : asked_q && link_has && link_key == asked_key_q;
+  fifo #(.Width(AddrBits), .Depth(16)) follow (
+    .clk_i, .rst_ni, .clear_i(clear_i || wipe_i), .valid_i(followed), .ready_o(follow_ready),
+    .data_i(!rsp_valid_i ? link_addr : came.has_next ? came.next : came.more),
+    .valid_o(follow_valid), .ready_i(!hint_valid_i && hint_ready), .data_o(follow_addr), .empty_o(unused_none)
+  );
+  assign hint         = hint_valid_i || follow_valid;
+  assign hint_addr    = hint_valid_i ? hint_addr_i : follow_addr;
+  assign hint_ready_o = hint_ready;
 
   line_cache #(
     .Width(shadow_pkg::RecordBits), .AddrBits(AddrBits), .Lines(shadow_pkg::RecordLines),
     .Ways(2), .TagBits(shadow_pkg::TagBits), .Fold(1'b0)  // the bucket spreads them
   ) cache (
     .clk_i, .rst_ni, .clear_i(clear_i || (wipe_i && !wiping_q)),
-    .hint_valid_i(hint_valid_i || follow_q), .hint_ready_o,
-    .hint_addr_i(hint_valid_i ? hint_addr_i : follow_addr_q),
+    .hint_valid_i(hint), .hint_ready_o(hint_ready), .hint_weak_i(!hint_valid_i), .hint_addr_i(hint_addr),
     .lookup_i, .lookup_new_i, .lookup_end_i, .lookup_addr_i, .hit_o, .data_o(record_o),
     .update_i(wiping || update_i), .update_ready_o, .update_addr_i(wiping ? wipe_q : update_addr_i),
     .update_data_i(wiping ? '0 : update_record_i), .idle_o(cache_idle),
@@ -77,12 +104,8 @@ module record_buffer (
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       wiping_q <= 1'b0;
-      follow_q <= 1'b0;
     end else begin
       wiping_q <= wipe_i && !clear_i;
-      if (clear_i || wipe_i) follow_q <= 1'b0;
-      else if (follows) follow_q <= 1'b1;
-      else if (hint_ready_o && !hint_valid_i) follow_q <= 1'b0;
       `CHECK(nothing_while_wiping, !wipe_i || !update_i)
     end
   end
@@ -90,9 +113,11 @@ module record_buffer (
   always_ff @(posedge clk_i) begin
     if (!wiping_q) wipe_q <= '0;
     else if (wiping && update_ready_o) wipe_q <= wipe_q + 1'b1;
-    if (follows) follow_addr_q <= came.has_next ? came.next : came.more;
+    if (lookup_i) lookup_q <= lookup_addr_i;
+    asked_q     <= hint && hint_ready;
+    asked_key_q <= hint_addr[AddrBits-1:LinkBits];
   end
 
   logic unused;
-  assign unused = &{1'b0, settings_i, came};
+  assign unused = &{1'b0, settings_i, came, linking, follow_ready, unused_none};
 endmodule

@@ -269,7 +269,7 @@ package shadow_pkg;
   typedef struct packed {
     logic [1:0]                word_x;     // texel of the word
     logic [RecordAddrBits-1:0] own;        // the bucket's own record
-    logic [RecordAddrBits-1:0]ahead;      // the record before this one in its entry; erased: the first of them
+    logic [RecordAddrBits-1:0] ahead;      // the record before this one in its entry; erased: the first of them
     logic [RecordAddrBits-1:0] prev;       // the entry before it in its bucket
     logic                      has_prev;
     logic [RecordAddrBits-1:0] entry;      // found; or where an unlinked one stands
@@ -287,10 +287,12 @@ package shadow_pkg;
     logic                      nearer;     // nearest is to change
     logic                      gap;        // the removed line is the record's first
     logic                      grown;      // a record was taken
+    logic                      new_corner; // the visit changes the entry's flags
+    logic                      new_vertex;
     logic                      storing;    // the line is stored
     logic [LineBits-1:0]       lifted;
-    logic [RecordAddrBits-1:0] length;     // records of the texel; SlbFind: entries of the texel
-    logic                      continued;  // SlbFind: one of them has continuations
+    logic [RecordAddrBits-1:0] length;     // records of the texel that were met; others' continuations are not
+    logic                      continued;  // one of them has some
     logic [1:0]                mode;
     logic                      kept;       // the texel has entries that stay
     logic                      covered;    // the emptied texel is covered
@@ -311,6 +313,8 @@ package shadow_pkg;
     logic                      match;        // it holds a line that cancels
     logic                      hidden;       // the line is
     logic                      nearer;       // an entry's nearest would change
+    logic                      new_corner;   // an entry's flags would
+    logic                      new_vertex;
     logic                      before_it;    // the record's nearest is before the line's
     logic                      beyond_it;    // behind it
     logic                      room;         // for a line

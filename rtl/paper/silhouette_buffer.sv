@@ -122,6 +122,8 @@ module silhouette_buffer (
     facts.beyond_it    = record.nearest > visit_i.nearest;
     facts.before_it    = record.nearest < visit_i.nearest;
     facts.nearer       = record.count == '0 || facts.beyond_it;
+    facts.new_corner   = visit_i.corner && !record.corner;
+    facts.new_vertex   = (visit_i.line.start_here || visit_i.line.end_here) && !record.vertex;
     facts.room         = record.count != CountBits'(shadow_pkg::LinesPerRecord);
     facts.erasable     = hidden_behind < record.nearest;
     facts.full         = used == settings_i.record_limit;

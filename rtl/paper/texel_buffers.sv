@@ -93,7 +93,7 @@ module texel_buffers (
     .Ways(2), .TagBits(shadow_pkg::TagBits)
   ) cache (
     .clk_i, .rst_ni, .clear_i(clear_i || (wipe_i && !wiping_q)),
-    .hint_valid_i, .hint_ready_o, .hint_addr_i,
+    .hint_valid_i, .hint_ready_o, .hint_weak_i(1'b0), .hint_addr_i,
     .lookup_i, .lookup_new_i(1'b0), .lookup_end_i, .lookup_addr_i, .hit_o, .data_o(word),
     .update_i(update_i || wiping), .update_ready_o,
     .update_addr_i(wiping ? wipe_q[AddrBits-1:0] : addr_q), .update_data_i(new_word), .idle_o(cache_idle),

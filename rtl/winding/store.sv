@@ -257,7 +257,7 @@ module store (
     .Lines(shadow_pkg::RecordLines), .TagBits(TagBits)
   ) records (
     .clk_i, .rst_ni, .clear_i(drop),
-    .hint_valid_i(1'b0), .hint_ready_o(hint_ready), .hint_addr_i('0),
+    .hint_valid_i(1'b0), .hint_ready_o(hint_ready), .hint_weak_i(1'b0), .hint_addr_i('0),
     .lookup_i(lookup), .lookup_new_i(1'b0), .lookup_end_i(ready), .lookup_addr_i(lookup_addr), .hit_o(hit), .data_o(record),
     .update_i(update), .update_ready_o(update_ready), .update_addr_i(update_addr), .update_data_i(new_record),
     .idle_o(records_idle),

@@ -10,6 +10,7 @@
 module line_cache_proof (
   input logic       clk_i,
   input logic       hint_valid_i,
+  input logic       hint_weak_i,
   input logic       lookup_i,
   input logic       lookup_new_i,
   input logic       lookup_end_i,

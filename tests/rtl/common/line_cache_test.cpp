@@ -18,7 +18,7 @@ struct CacheBench {
       : random(seed), memory(kWidth, settings) {
     dut.clk_i = 0;
     dut.rst_ni = 0;
-    dut.clear_i = dut.hint_valid_i = 0;
+    dut.clear_i = dut.hint_valid_i = dut.hint_weak_i = 0;
     dut.lookup_i = dut.lookup_new_i = dut.lookup_end_i = 0;
     dut.update_i = 0;
     dut.rsp_valid_i = 0;
@@ -75,6 +75,7 @@ void hits_show_the_newest_word() {
       bench.start();
       dut.hint_valid_i = random() % 2;
       dut.hint_addr_i = random() % spread;
+      dut.hint_weak_i = random() % 2;
       dut.update_i = 0;
       dut.lookup_i = dut.lookup_end_i = 0;
       dut.clear_i = clears && random() % 200 == 0;
