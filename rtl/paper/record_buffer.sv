@@ -19,6 +19,9 @@ module record_buffer (
   input  logic                  hint_valid_i,
   output logic                  hint_ready_o,
   input  logic [shadow_pkg::RecordAddrBits-1:0] hint_addr_i,
+  input  logic                  soon_valid_i,  // the same, less urgent
+  output logic                  soon_ready_o,
+  input  logic [shadow_pkg::RecordAddrBits-1:0] soon_addr_i,
   // the record being worked on
   input  logic                  lookup_i,
   input  logic                  lookup_new_i,
@@ -73,13 +76,14 @@ module record_buffer (
   assign followed = rsp_valid_i ? came.has_next || came.has_more
                   : asked_q && link_has && link_key == asked_key_q;
   fifo #(.Width(AddrBits), .Depth(16)) follow (
-    .clk_i, .rst_ni, .clear_i(clear_i || wipe_i), .valid_i(followed), .ready_o(follow_ready),
-    .data_i(!rsp_valid_i ? link_addr : came.has_next ? came.next : came.more),
+    .clk_i, .rst_ni, .clear_i(clear_i || wipe_i), .valid_i(followed || soon_valid_i), .ready_o(follow_ready),
+    .data_i(!followed ? soon_addr_i : !rsp_valid_i ? link_addr : came.has_next ? came.next : came.more),
     .valid_o(follow_valid), .ready_i(!hint_valid_i && hint_ready), .data_o(follow_addr), .empty_o(unused_none)
   );
   assign hint         = hint_valid_i || follow_valid;
   assign hint_addr    = hint_valid_i ? hint_addr_i : follow_addr;
   assign hint_ready_o = hint_ready;
+  assign soon_ready_o = follow_ready && !followed;
 
   line_cache #(
     .Width(shadow_pkg::RecordBits), .AddrBits(AddrBits), .Lines(shadow_pkg::RecordLines),
@@ -119,5 +123,5 @@ module record_buffer (
   end
 
   logic unused;
-  assign unused = &{1'b0, settings_i, came, linking, follow_ready, unused_none};
+  assign unused = &{1'b0, settings_i, came, linking, unused_none};
 endmodule

@@ -175,7 +175,7 @@ module store (
     .clk_i, .rst_ni, .clear_i, .settings_i, .wipe_i, .wiped_o(records_wiped),
     .hint_valid_i((hint_emptied && hints_ready) || (push && visit_i.kind == shadow_pkg::VisitEdge)),
      .hint_ready_o(record_hint_ready),
-    .hint_addr_i(hint_bucket),
+    .hint_addr_i(hint_bucket), .soon_valid_i(soon_valid), .soon_ready_o(soon_hint_ready), .soon_addr_i(soon_addr),
     .start_i(start), .ready_o(ready), .kind_i(place_kind), .x_i(next_x), .y_i(next_y),
     .bucket_i(next_bucket), .depth_i(emptied_depth), .visit_i(visit), .tri_i(visit_tri),
     .emptied_o(emptied), .x_o(x), .y_o(y),
@@ -188,6 +188,18 @@ module store (
     .rsp_data_i(slb_rsp_data_i), .wr_valid_o(slb_wr_valid_o), .wr_ready_i(slb_wr_ready_i),
     .wr_addr_o(slb_wr_addr_o), .wr_data_o(slb_wr_data_o),
     .idle_o(records_idle), .cause_o(cause), .records_o, .events_o
+  );
+
+  logic soon_valid, soon_hint_ready;
+  logic [shadow_pkg::RecordAddrBits-1:0] soon_addr;
+  span_hints spans (
+    .clk_i, .rst_ni, .clear_i(clear_i || wipe_i), .settings_i,
+    .visit_i(push && visit_i.kind != shadow_pkg::VisitEdgesDone),
+    .visit_span_i(visit_i.kind == shadow_pkg::VisitSpan && settings_i.hidden_removal != 2'd0),
+    .visit_addr_i(hint_texel), .visit_bucket_i(hint_bucket), .visit_mask_i(visit_i.mask),
+    .read_i(texel_rd_valid_o && texel_rd_ready_i), .read_addr_i(texel_rd_addr_o), .read_tag_i(texel_rd_tag_o),
+    .rsp_valid_i(texel_rsp_valid_i), .rsp_tag_i(texel_rsp_tag_i), .rsp_data_i(texel_rsp_data_i),
+    .hint_valid_o(soon_valid), .hint_ready_i(soon_hint_ready), .hint_addr_o(soon_addr)
   );
 
   assign done         = busy_q && ready;

@@ -232,8 +232,8 @@ void scene_speed(double scale, double bound) {
   EXPECT_LT(each, bound);
 }
 TEST(Store, CyclesOfAScene) {
-  scene_speed(1, 5.5);
-  scene_speed(16, 4.2);
+  scene_speed(1, 2.1);
+  scene_speed(16, 2.7);
 }
 
 }  // namespace
