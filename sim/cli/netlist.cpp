@@ -11,6 +11,7 @@
 #include "sim/cli/nearest.h"
 #include "sim/cli/parse.h"
 #include "sim/cli/progress.h"
+#include "sim/cli/settings.h"
 #include "traces/format/error.h"
 
 namespace kagesen {
@@ -19,6 +20,7 @@ namespace {
 struct NetlistArguments {
   std::vector<std::string> blocks;
   std::string library = "osu018", beats = "3000";
+  SettingsOptions settings;
 };
 
 void run(const NetlistArguments& arguments) {
@@ -27,15 +29,18 @@ void run(const NetlistArguments& arguments) {
   const auto beats = static_cast<std::size_t>(parse_number("--beats", arguments.beats, 1, 1e9));
   std::size_t wrong = 0;
   Progress progress(true);
+  const UnitConfig config = load_settings(arguments.settings).config;
+  const auto tell = [&](const std::string& stage) { progress.update(stage, 0); };
   for (const std::string& name : arguments.blocks.empty() ? all : arguments.blocks) {
     const auto found = std::find(all.begin(), all.end(), name);
-    if (found == all.end()) {
-      throw UserError("netlist", "there is no block '" + name + "'", suggestion(name, all));
+    if (found == all.end() && name != "unit") {
+      throw UserError("netlist", "there is no block '" + name + "'",
+                      suggestion(name, all) + ", or unit");
     }
-    const MutationBlock& block = mutation_blocks()[static_cast<std::size_t>(found - all.begin())];
-    const NetlistRun run =
-        run_netlist(block, arguments.library, beats,
-                    [&](const std::string& stage) { progress.update(stage, 0); });
+    const NetlistRun run = name == "unit"
+                               ? run_unit_netlist(config, arguments.library, beats, tell)
+                               : run_netlist(mutation_blocks()[std::size_t(found - all.begin())],
+                                             arguments.library, beats, tell);
     progress.clear();
     wrong += run.wrong;
     std::cout << fmt::format("{:<26}{:>9} cycles{:>9} wrong\n", name, run.beats, run.wrong)
@@ -52,7 +57,9 @@ void add_netlist(CLI::App& app) {
   CLI::App& command = *app.add_subcommand(
       "netlist",
       "Runs the mapped netlists of blocks, four-valued, against recordings of their tests");
-  command.add_option("BLOCK", arguments->blocks, "Blocks; all if none is named");
+  command.add_option("BLOCK", arguments->blocks,
+                     "Blocks, or unit: the whole one, as configured; all blocks if none is named");
+  add_settings_options(command, arguments->settings);
   command.add_option("--library", arguments->library, "Cell library: osu018 or osu035")
       ->type_name("NAME")
       ->capture_default_str();

@@ -8,6 +8,7 @@
 #include <regex>
 #include <sstream>
 
+#include "testbench/mutation/unit_recording.h"
 #include "testbench/synthesis/cell_library.h"
 #include "testbench/synthesis/gates.h"
 #include "testbench/tools/cache.h"
@@ -21,6 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using Qualifiers = std::vector<std::pair<std::string, std::string>>;
+using Tell = std::function<void(const std::string&)>;
+
 /// One output: where it stands and the bit that says whether it means something.
 struct Field {
   unsigned low, width;
@@ -33,8 +37,8 @@ bool ends_with(const std::string& word, const std::string& end) {
 
 /// The name of the valid that data `name` belongs to, or "": that of the longest common prefix.
 std::string valid_of(const std::string& name, const Recording& recording,
-                     const MutationBlock& block) {
-  for (const auto& [data, valid] : block.qualifiers) {
+                     const Qualifiers& qualifiers) {
+  for (const auto& [data, valid] : qualifiers) {
     if (data == name) return valid;
   }
   std::string found;
@@ -48,14 +52,14 @@ std::string valid_of(const std::string& name, const Recording& recording,
   return found;
 }
 
-std::vector<Field> fields_of(const Recording& recording, const MutationBlock& block) {
+std::vector<Field> fields_of(const Recording& recording, const Qualifiers& qualifiers) {
   std::map<std::string, unsigned> lows;
   unsigned low = total_width(recording.outputs);
   for (const Recording::Pin& pin : recording.outputs) lows[pin.name] = low -= pin.width;
   std::vector<Field> fields;
   for (const Recording::Pin& pin : recording.outputs) {
     Field field{lows[pin.name], pin.width, -1};
-    const std::string valid = valid_of(pin.name, recording, block);
+    const std::string valid = valid_of(pin.name, recording, qualifiers);
     // A single bit without a stream of its own is control: idle, empty.
     const bool control = pin.width == 1 && valid == "valid_o";
     if (!valid.empty() && !control) field.valid = static_cast<int>(lows.at(valid));
@@ -85,9 +89,9 @@ std::string care_of(const std::string& outputs, const std::vector<Field>& fields
   return care;
 }
 
-void write_vectors(const Recording& recording, const MutationBlock& block, std::size_t most,
+void write_vectors(const Recording& recording, const Qualifiers& qualifiers, std::size_t most,
                    const fs::path& file) {
-  const std::vector<Field> fields = fields_of(recording, block);
+  const std::vector<Field> fields = fields_of(recording, qualifiers);
   std::ifstream in(recording.pins);
   std::ofstream out(file);
   std::size_t beats = 0;
@@ -109,10 +113,47 @@ void run_or_throw(const std::string& what, const std::vector<std::string>& comma
     throw UserError(what, "failed", "see " + log);
 }
 
+/// Icarus plays the recording to the netlist in `gates.folder`.
+NetlistRun play(const std::string& name, const Recording& recording, const Qualifiers& qualifiers,
+                const GateReport& gates, std::size_t beats, const Tell& tell) {
+  if (!gates.unmapped.empty()) throw UserError(name, "has unmapped cells", "see " + gates.folder);
+  const fs::path folder = cache_folder() / "netlist" / name;
+  fs::create_directories(folder);
+  write_vectors(recording, qualifiers, beats, folder / "vectors.txt");
+  const std::string script = read_file(source_folder() + "/testbench/synthesis/player.v.in");
+  const std::string connections = (recording.clocked ? "    .clk_i(clk),\n" : "") +
+                                  pin_connections(recording, "in", "got", "run");
+  write_file(
+      folder / "player.v",
+      fill_template(script, {{"TOP", recording.top},
+                             {"CONNECTIONS", connections},
+                             {"IN_HIGH", std::to_string(total_width(recording.inputs) - 1)},
+                             {"OUT_HIGH", std::to_string(total_width(recording.outputs) - 1)}}));
+  tell("Icarus compiles");
+  run_or_throw("Icarus Verilog on " + name,
+               {find_tool("iverilog", "iverilog"), "-g2012", "-s", "player", "-o", "player.vvp",
+                "player.v", gates.folder + "/netlist.v", find_cell_library(gates.library).models,
+                source_folder() + "/testbench/synthesis/ram_1r1w.v"},
+               folder, "iverilog.log");
+  tell("Icarus plays");
+  run_or_throw("Icarus Verilog on " + name, {find_tool("vvp", "iverilog"), "-n", "player.vvp"},
+               folder, "player.log");
+  NetlistRun run;
+  run.log = (folder / "player.log").string();
+  const std::string text = read_file(run.log);
+  std::smatch found;
+  if (!std::regex_search(text, found, std::regex("PLAYED (\\d+) WRONG (\\d+)"))) {
+    throw UserError("Icarus Verilog on " + name, "ended early", "see " + run.log);
+  }
+  run.beats = std::stoul(found[1]);
+  run.wrong = std::stoul(found[2]);
+  return run;
+}
+
 }  // namespace
 
 NetlistRun run_netlist(const MutationBlock& block, const std::string& library, std::size_t beats,
-                       const std::function<void(const std::string&)>& progress) {
+                       const Tell& progress) {
   const auto tell = [&](const std::string& stage) {
     if (progress) progress(block.name + ": " + stage);
   };
@@ -127,40 +168,20 @@ NetlistRun run_netlist(const MutationBlock& block, const std::string& library, s
     if (file != ram_file()) options.sources.push_back(file);
   }
   const GateReport gates = measure_gates(UnitConfig{}, options, tell);
-  if (!gates.unmapped.empty())
-    throw UserError(block.name, "has unmapped cells", "see " + gates.folder);
+  return play(block.name, recording, block.qualifiers, gates, beats, tell);
+}
 
-  const fs::path folder = cache_folder() / "netlist" / block.name;
-  fs::create_directories(folder);
-  write_vectors(recording, block, beats, folder / "vectors.txt");
-  const std::string script = read_file(source_folder() + "/testbench/synthesis/player.v.in");
-  const std::string connections = (recording.clocked ? "    .clk_i(clk),\n" : "") +
-                                  pin_connections(recording, "in", "got", "run");
-  write_file(
-      folder / "player.v",
-      fill_template(script, {{"TOP", recording.top},
-                             {"CONNECTIONS", connections},
-                             {"IN_HIGH", std::to_string(total_width(recording.inputs) - 1)},
-                             {"OUT_HIGH", std::to_string(total_width(recording.outputs) - 1)}}));
-  tell("Icarus compiles");
-  run_or_throw("Icarus Verilog on " + block.name,
-               {find_tool("iverilog", "iverilog"), "-g2012", "-s", "player", "-o", "player.vvp",
-                "player.v", gates.folder + "/netlist.v", find_cell_library(library).models,
-                source_folder() + "/testbench/synthesis/ram_1r1w.v"},
-               folder, "iverilog.log");
-  tell("Icarus plays");
-  run_or_throw("Icarus Verilog on " + block.name,
-               {find_tool("vvp", "iverilog"), "-n", "player.vvp"}, folder, "player.log");
-  NetlistRun run;
-  run.log = (folder / "player.log").string();
-  const std::string text = read_file(run.log);
-  std::smatch found;
-  if (!std::regex_search(text, found, std::regex("PLAYED (\\d+) WRONG (\\d+)"))) {
-    throw UserError("Icarus Verilog on " + block.name, "ended early", "see " + run.log);
-  }
-  run.beats = std::stoul(found[1]);
-  run.wrong = std::stoul(found[2]);
-  return run;
+NetlistRun run_unit_netlist(const UnitConfig& config, const std::string& library, std::size_t beats,
+                            const Tell& progress) {
+  const auto tell = [&](const std::string& stage) {
+    if (progress) progress("unit: " + stage);
+  };
+  tell("recording");
+  const Recording recording = record_unit(config, beats);
+  GateOptions options;
+  options.library = library;
+  const GateReport gates = measure_gates(config, options, tell);
+  return play("unit_" + get_field(config, "profile"), recording, {}, gates, beats, tell);
 }
 
 }  // namespace kagesen

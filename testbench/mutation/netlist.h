@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "model/unit/config.h"
 #include "testbench/mutation/recording.h"
 
 namespace kagesen {
@@ -16,5 +17,10 @@ struct NetlistRun {
 /// @param beats  at most so many
 NetlistRun run_netlist(const MutationBlock& block, const std::string& library, std::size_t beats,
                        const std::function<void(const std::string&)>& progress);
+
+/// The same for the whole unit, on a short frame: triangles and fragments that meet in a few
+/// texels. Its verdicts are golden's, or this throws.
+NetlistRun run_unit_netlist(const UnitConfig& config, const std::string& library, std::size_t beats,
+                            const std::function<void(const std::string&)>& progress);
 
 }  // namespace kagesen

@@ -22,6 +22,8 @@ void run_or_throw(const std::string& what, const std::vector<std::string>& comma
   throw UserError(what, "failed", "see " + log.string());
 }
 
+}  // namespace
+
 Recording read_manifest(const fs::path& file) {
   Recording recording;
   std::istringstream text(read_file(file));
@@ -39,8 +41,6 @@ Recording read_manifest(const fs::path& file) {
   }
   return recording;
 }
-
-}  // namespace
 
 Recording record(const MutationBlock& block) {
   const fs::path build = cache_folder() / "recording";

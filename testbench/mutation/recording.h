@@ -1,5 +1,6 @@
 #pragma once
 /// The pins of a block while its test runs (testbench/verilator/recorder.cmake).
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +27,9 @@ struct Recording {
 /// Builds the test with recorders, in a build folder of its own in the cache, and runs it. Throws
 /// UserError when the build or the test fails.
 Recording record(const MutationBlock& block);
+
+/// What recorder.cmake wrote of a module.
+Recording read_manifest(const std::filesystem::path& file);
 
 unsigned total_width(const std::vector<Recording::Pin>& pins);
 /// "port, port, ..." connections of all pins to slices of vectors `in` and `out`.

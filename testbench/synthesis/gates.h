@@ -44,8 +44,9 @@ struct BlockReport {
 
 struct GateReport {
   double total_ge = 0, fmax_mhz = 0;
-  double flop_ge = 0;  ///< of the total, flip-flops
-  std::uint64_t memory_bits = 0, cells = 0, flops = 0;
+  double flop_ge = 0;    ///< of the total, flip-flops
+  double buffer_ge = 0;  ///< of the total, the trees of fanout.h, which belong to no block
+  std::uint64_t memory_bits = 0, cells = 0, flops = 0, buffers = 0;
   std::map<std::string, std::uint64_t>
       unmapped;  ///< cells that are not of the library, and latches
   std::map<std::string, BlockReport> blocks;

@@ -33,7 +33,9 @@ Json gates_json(const GateReport& report) {
             {"unmapped_cells", report.unmapped},
             {"cells", report.cells},
             {"flops", report.flops},
-            {"flop_ge", rounded(report.flop_ge)}};
+            {"flop_ge", rounded(report.flop_ge)},
+            {"buffers", report.buffers},
+            {"buffer_ge", rounded(report.buffer_ge)}};
   for (const auto& [name, block] : report.blocks) {
     json["blocks"][name] = {{"ge", rounded(block.ge)},
                             {"own_ge", rounded(block.own_ge)},
@@ -70,6 +72,8 @@ GateReport gates_from_json(const Json& json) {
   report.cells = json.at("cells");
   report.flops = json.at("flops");
   report.flop_ge = json.at("flop_ge");
+  report.buffers = json.at("buffers");
+  report.buffer_ge = json.at("buffer_ge");
   for (const auto& [name, block] : json.at("blocks").items()) {
     report.blocks[name] = {block.at("instances"), block.at("own_ge"), block.at("ge"),
                            block.at("memory_bits")};
@@ -99,9 +103,11 @@ std::string gates_table(const GateReport& report) {
                         grouped(block.own_ge), grouped(block.ge),
                         block.memory_bits ? grouped(static_cast<double>(block.memory_bits)) : "");
   }
-  text += fmt::format("\ntotal {} GE ({} of it {} flip-flops), {} memory bits apart\n",
-                      grouped(report.total_ge), grouped(report.flop_ge), report.flops,
-                      grouped(static_cast<double>(report.memory_bits)));
+  text += fmt::format(
+      "\ntotal {} GE ({} of it {} flip-flops, {} buffers of what has many readers), {} memory bits "
+      "apart\n",
+      grouped(report.total_ge), grouped(report.flop_ge), report.flops, grouped(report.buffer_ge),
+      grouped(static_cast<double>(report.memory_bits)));
   text += fmt::format("{:.1f} MHz, longest path {}\n", report.fmax_mhz, report.critical_path);
   for (const auto& [type, count] : report.unmapped) {
     text += fmt::format("UNMAPPED {} x {}\n", count, type);

@@ -266,8 +266,19 @@ std::string built_object(const BuildRecipe& recipe, const std::string& cache_fol
   return object.string();
 }
 
-std::unique_ptr<bench::Bench> make_bench(const UnitConfig& config, BuildKind kind) {
-  const std::string object = built_object(bench_recipe(config, kind), build_cache_folder());
+std::unique_ptr<bench::Bench> make_bench(const UnitConfig& config, BuildKind kind,
+                                         const std::vector<SourceText>& replaced) {
+  BuildRecipe recipe = bench_recipe(config, kind);
+  for (const SourceText& source : replaced) {
+    const auto same = std::find_if(recipe.sources.begin(), recipe.sources.end(),
+                                   [&](const SourceText& s) { return s.path == source.path; });
+    if (same != recipe.sources.end()) {
+      same->text = source.text;
+    } else {
+      recipe.sources.push_back(source);
+    }
+  }
+  const std::string object = built_object(recipe, build_cache_folder());
   void* library = dlopen(object.c_str(), RTLD_NOW | RTLD_LOCAL);  // stays: benches come and go
   const auto make =
       library ? reinterpret_cast<bench::MakeBench>(dlsym(library, bench::kMakeBenchName)) : nullptr;

@@ -35,6 +35,8 @@ std::string build_cache_folder();
 std::string built_object(const BuildRecipe& recipe, const std::string& cache_folder);
 
 /// A bench of its own for every call.
-std::unique_ptr<bench::Bench> make_bench(const UnitConfig& config, BuildKind kind);
+/// @param replaced  sources instead of the recipe's of that name, or beside them
+std::unique_ptr<bench::Bench> make_bench(const UnitConfig& config, BuildKind kind,
+                                         const std::vector<SourceText>& replaced = {});
 
 }  // namespace kagesen

@@ -19,7 +19,7 @@ using bench::Register;
 /// Benches that no engine uses: making one costs more than many a frame.
 class Pool {
  public:
-  std::unique_ptr<bench::Bench> take(const UnitConfig& config, BuildKind kind,
+  std::unique_ptr<bench::Bench> take(const UnitConfig& config, const RtlOptions& options,
                                      const std::string& built) {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -31,7 +31,7 @@ class Pool {
         return bench;
       }
     }
-    return make_bench(config, kind);
+    return make_bench(config, options.kind, options.replaced);
   }
   void give(const std::string& built, std::unique_ptr<bench::Bench> bench) {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -107,12 +107,12 @@ void RtlEngine::release() {
 }
 
 bench::Bench& RtlEngine::prepare(const UnitConfig& config) {
-  const std::string wanted =
-      shadow_package(config) + std::to_string(static_cast<int>(options_.kind));
+  std::string wanted = shadow_package(config) + std::to_string(static_cast<int>(options_.kind));
+  for (const SourceText& source : options_.replaced) wanted += source.text;
   if (!bench_ || wanted != built_) {
     release();
     built_ = wanted;
-    bench_ = pool().take(config, options_.kind, built_);
+    bench_ = pool().take(config, options_, built_);
   }
   return *bench_;
 }
@@ -215,7 +215,12 @@ void RtlEngine::decide(const Fragment* fragments, std::size_t count, Verdict* ve
     fragment_cycles_.resize(decided_ + count);
     cycles = fragment_cycles_.data() + decided_;
   }
+  decided_before_ = bench_->cycles(Pass::kDecide).total;
   cut_ = !bench_->decide(beats.data(), beats.size(), answers.data(), cycles);
+  for (std::size_t i = 0; cycles && i < count; ++i) {
+    cycles[i].accepted += decided_before_;
+    cycles[i].retired += decided_before_;
+  }
   decided_ += count;
   for (std::size_t i = 0; i < count; ++i) {
     verdicts[i] = answers[i].dark ? Verdict::kDark : Verdict::kLit;

@@ -15,6 +15,8 @@ struct RtlOptions {
   /// How memories and streams behave; empty: as the configuration says.
   std::optional<Timing> timing;
   bool keep_cycles = false;  ///< of every fragment
+  std::vector<SourceText>
+      replaced;  ///< sources of the bench, instead of the program's own or beside
 };
 
 /// Frames follow each other without a reset. The bench is built when a frame needs it, and goes
@@ -32,6 +34,7 @@ class RtlEngine : public Engine {
   MapContents contents() const override;
   UnitCounters counters() const override;
   std::optional<CycleReport> cycles() const override;
+  const std::vector<FragmentCycles>& fragment_cycles() const override { return fragment_cycles_; }
 
   /// For frames to come.
   void set_timing(const Timing& timing) { options_.timing = timing; }
@@ -41,8 +44,8 @@ class RtlEngine : public Engine {
   bench::Bench& bench() const { return *bench_; }
   /// Was a pass of this frame cut short? Then the frame has to begin again.
   bool cut() const { return cut_; }
-  /// With keep_cycles: each fragment's since begin(), from the first cycle of its own decide().
-  const std::vector<FragmentCycles>& fragment_cycles() const { return fragment_cycles_; }
+  /// Cycles of pass 2 before the last decide().
+  std::uint64_t decided_before() const { return decided_before_; }
   /// Ends pass 1, as decide() and contents() do.
   void settle() const;
 
@@ -58,6 +61,7 @@ class RtlEngine : public Engine {
   UnitConfig config_;
   FrameSetup setup_;
   std::uint64_t drawn_ = 0, decided_ = 0;
+  std::uint64_t decided_before_ = 0;
   mutable bool settled_ = true, cut_ = false;
   std::vector<FragmentCycles> fragment_cycles_;
 };
