@@ -73,7 +73,6 @@ module silhouette_buffer (
   localparam int unsigned DepthBits = shadow_pkg::DepthBits;
   localparam int unsigned MapBits   = shadow_pkg::MapBits;
   localparam int unsigned LimitBits = shadow_pkg::LimitBits;
-  localparam int unsigned CountBits = shadow_pkg::LineCountBits;
   localparam int unsigned Texels    = shadow_pkg::TexelsPerWord;
 
   logic [4:0]             state_q, state_d, find_state, lines_state, move_state, erase_state;
@@ -90,57 +89,17 @@ module silhouette_buffer (
 
   // ---- What is so -------------------------------------------------------------------------------
   logic [shadow_pkg::LinesPerRecord-1:0] from_first;
-  logic [DepthBits-1:0] centre, hidden_behind;
   logic [LimitBits-1:0] used;
-  logic                 match, hit, has_spot, dry, has_free;
+  logic                 hit, has_spot, dry, has_free;
   logic [AddrBits-1:0]  spot, free;
 
-  silhouette_detector detector (
-    .match_polygon_id_i(settings_i.match_polygon_id), .line_i(visit_i.line),
-    .lines_i(record.lines), .count_i(record.count), .found_o(match), .from_first_o(from_first)
+  slb_facts known (
+    .settings_i, .hit_i(hit), .at_i(at_q), .record_i(record), .walk_i(walk_q),
+    .kind_i(kind_q), .x_i(x_q), .y_i(y_q), .depth_i(depth_q), .visit_i, .tri_i,
+    .texel_hit_i, .texel_i, .texel_edges_i,
+    .used_i(used), .spot_i(spot), .has_spot_i(has_spot), .dry_i(dry), .free_i(free), .has_free_i(has_free),
+    .facts_o(facts), .from_first_o(from_first)
   );
-  hide_depth hiding (
-    .farthest_i(settings_i.hidden_removal == 2'd2), .centre_i(centre), .most_i(tri_i.most),
-    .rise_i(tri_i.rise), .depth_o(hidden_behind)
-  );
-  always_comb begin
-    unique case (walk_q.word_x)
-      2'd0: centre = visit_i.depth0;
-      2'd1: centre = visit_i.depth1;
-      2'd2: centre = visit_i.depth2;
-      default: centre = visit_i.depth3;
-    endcase
-    if (kind_q == shadow_pkg::VisitEdgesDone) centre = depth_q;
-
-    facts.hit          = hit;
-    facts.texel_hit    = texel_hit_i;
-    facts.at           = at_q;
-    facts.is_edge      = kind_q == shadow_pkg::VisitEdge;
-    facts.edge_flag    = texel_i.edge_flag;
-    facts.overflow     = texel_i.overflow;
-    facts.same_texel   = record.used && record.texel == {y_q, x_q[MapBits-1:2], walk_q.word_x};
-    facts.same_entry   = facts.same_texel && record.object == tri_i.object;
-    facts.match        = match;
-    facts.hidden       = settings_i.hidden_removal == 2'd1 && texel_i.depth < visit_i.nearest;
-    facts.beyond_it    = record.nearest > visit_i.nearest;
-    facts.before_it    = record.nearest < visit_i.nearest;
-    facts.nearer       = record.count == '0 || facts.beyond_it;
-    facts.new_corner   = visit_i.corner && !record.corner;
-    facts.new_vertex   = (visit_i.line.start_here || visit_i.line.end_here) && !record.vertex;
-    facts.room         = record.count != CountBits'(shadow_pkg::LinesPerRecord);
-    facts.erasable     = hidden_behind < record.nearest;
-    facts.full         = used == settings_i.record_limit;
-    facts.few          = used < settings_i.chain_limit;
-    facts.short_chain  = facts.few || (!walk_q.continued && LimitBits'(walk_q.length) < settings_i.chain_limit);
-    facts.too_long     = LimitBits'(walk_q.length) > settings_i.chain_limit;
-    facts.edges        = visit_i.mask & texel_edges_i;
-    facts.wants_hiding = settings_i.hidden_removal != 2'd0;
-    facts.spot         = spot;
-    facts.has_spot     = has_spot;
-    facts.dry          = dry;
-    facts.free         = free;
-    facts.has_free     = has_free;
-  end
 
   // ---- What is done -----------------------------------------------------------------------------
   chain_find find (

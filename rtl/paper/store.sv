@@ -5,7 +5,7 @@
 // silhouette_buffer and texel_buffers when it leaves it. Entries that a triangle's edges leave without
 // a line wait in a list until VisitEdgesDone: with what covers them then, they are erased.
 // Twin:    model/unit/shadow_unit_pass1.cpp.
-// Timing:  a simple visit takes one cycle, three after it entered an empty queue.
+// Timing:  docs/rtl.md, "What a visit costs".
 `include "check.svh"
 module store (
   input  logic                  clk_i,
