@@ -41,7 +41,7 @@ PackageWidths::PackageWidths(const UnitConfig& c)
   }
   const unit::winding::Widths w(c, kMaxFractionBits);
   const int threshold = w.base_bits() + 2 * w.gradient_code_bits();
-  const int list = 1 + 32 + record_addr_bits;
+  const int list = 2 + 32 + record_addr_bits;  // texel_list_t
   texel_bits = static_cast<int>(2 + c.id_bits) + std::max(threshold, list);
 }
 
