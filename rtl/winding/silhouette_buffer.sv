@@ -60,20 +60,17 @@ module silhouette_buffer (
 );
   localparam int unsigned A = shadow_pkg::RecordAddrBits;
   localparam int unsigned S = shadow_pkg::SegmentBits;
-  localparam int unsigned L = shadow_pkg::SegmentsPerRecord;
   localparam int unsigned CountBits = shadow_pkg::SegmentCountBits;
   localparam int unsigned LimitBits = shadow_pkg::LimitBits;
 
-  localparam logic [4:0] Idle = 5'd0, Take = 5'd1, Taken = 5'd2, Check = 5'd3, Walk = 5'd4, Open = 5'd5,
-                         Insert = 5'd6, Found = 5'd7, Append = 5'd8, Grow = 5'd9, Trim = 5'd10, Full = 5'd11,
-                         Erase = 5'd12, Link = 5'd13, Last = 5'd14, Scan = 5'd15, Cut = 5'd16, Lift = 5'd17,
-                         Patch = 5'd18, Refill = 5'd19, Release = 5'd20, Corner = 5'd21, Spill = 5'd22,
-                         Keep = 5'd23, Done = 5'd24;
+  localparam logic [3:0] Idle = 4'd0, Take = 4'd1, Taken = 4'd2, Check = 4'd3, Walk = 4'd4, Open = 4'd5,
+                         Insert = 4'd6, Work = 4'd7, Erase = 4'd8, Link = 4'd9, Last = 4'd10, Spill = 4'd11,
+                         Keep = 4'd12, Done = 4'd13;
   // Find: the visit's cluster. Covers, CoversDrop: the nearest end of a cover of another object than the texel's.
   // Drop: clusters that are hidden. Settle: those without segments. Free: all. Count: records.
   localparam logic [2:0] Find = 3'd0, Covers = 3'd1, CoversDrop = 3'd2, Drop = 3'd3, Settle = 3'd4, Free = 3'd5,
                          Count = 3'd6;
-  logic [4:0] state_d, state_q;
+  logic [3:0] state_d, state_q;
   logic [2:0] mode_d, mode_q;
   logic       insert_d, insert_q;  // after Take: Insert, else Check
 
@@ -103,25 +100,17 @@ module silhouette_buffer (
 
   // ---- Records ----------------------------------------------------------------------------------
   shadow_pkg::record_t record, update;
-  logic [A-1:0] at_q, prev_d, prev_q, head_d, head_q, chain_d, chain_q, next_d, next_q, link_d, link_q;
-  logic [A-1:0] spare_d, spare_q, free_d, free_q;
+  logic [A-1:0] at_q, prev_d, prev_q, chain_d, chain_q, next_d, next_q, spare, free, put_addr;
   logic         prev_valid_d, prev_valid_q, next_valid_d, next_valid_q, continued_d, continued_q;
-  logic         spare_valid_d, spare_valid_q, free_valid_d, free_valid_q, refill_d, refill_q;
-  logic [A:0]   fresh_d, fresh_q;  // records from here on were never in use
-  logic [LimitBits-1:0] used_d, used_q, count_d, count_q;
-  logic [CountBits-1:0] slot_d, slot_q;
-  logic [S-1:0]         moved_d, moved_q;
-  logic [shadow_pkg::CornerBits-1:0] corner_d, corner_q, corner_sum;
+  logic         spare_ready, free_valid, given, released, put, take;
+  logic [LimitBits-1:0] used, count_d, count_q;
   logic [31:0]          other_d, other_q;  // nearest end of a cover of another object
-  logic                 seen_q, bounded, there, written, room, full_memory, fresh, absent;
+  logic                 seen_q, bounded, there, written, full_memory, may_be_long, absent;
   assign record     = record_i;
-  assign corner_sum = record.corner + shadow_pkg::CornerBits'(corner_i);
-  assign full_memory = used_q >= record_limit_i;
-  assign room       = record.count < CountBits'(L);
   assign written    = update_o && update_ready_i;
-  assign fresh      = LimitBits'(fresh_q) < record_limit_i;
+  assign may_be_long = used > chain_limit_i;
   // Nor can the list be too long.
-  assign absent     = !texel_list.covered && (texel_list.cover_depth & mark) == '0 && used_q < chain_limit_i;
+  assign absent     = !texel_list.covered && (texel_list.cover_depth & mark) == '0 && used < chain_limit_i;
 
   // ---- Depths -----------------------------------------------------------------------------------
   logic [31:0] visit_nearest, visit_farthest, nearest, farthest, nearest_q, farthest_q, cover_nearest, cover_farthest;
@@ -156,19 +145,27 @@ module silhouette_buffer (
   assign lacks_segments = !record.full && record.count == '0;
   assign nothing    = !span_i && !corner_i && !has_segment_i;
 
-  // ---- Segments ---------------------------------------------------------------------------------
-  logic may_meet, same_dot, opposes;
-  logic [CountBits-1:0] slot, last;
-  silhouette_detector detector (
-    .segment_i, .segments_i(record.segments), .count_i(record.count),
-    .may_meet_o(may_meet), .same_dot_o(same_dot), .opposes_o(opposes), .slot_o(slot)
+  // ---- The visit's cluster ----------------------------------------------------------------------
+  logic [A-1:0] work_lookup_addr, work_update_addr, work_put_addr;
+  logic         work_lookup, work_update, work_given, work_released, work_put;
+  logic         work_done, work_ends, work_covers, work_grown, work_spills, work_bare, work_stored, work_cancelled;
+  logic [shadow_pkg::RecordBits-1:0] work_record;
+  cluster_update cluster_update (
+    .clk_i, .rst_ni, .clear_i, .work_i(state_q == Work),
+    .span_i, .corner_i, .has_segment_i, .segment_i, .threshold_i, .object_i,
+    .hit_i, .at_i(at_q), .record_i, .lookup_o(work_lookup), .lookup_addr_o(work_lookup_addr),
+    .update_o(work_update), .update_ready_i, .update_addr_o(work_update_addr), .update_record_o(work_record),
+    .full_memory_i(full_memory), .may_be_long_i(may_be_long), .spare_i(spare), .free_i(free), .free_valid_i(free_valid),
+    .given_o(work_given), .released_o(work_released), .put_o(work_put), .put_addr_o(work_put_addr),
+    .done_o(work_done), .ends_o(work_ends), .covers_o(work_covers), .grown_o(work_grown), .spills_o(work_spills),
+    .bare_o(work_bare), .line_stored_o(work_stored), .line_cancelled_o(work_cancelled)
   );
-  assign last = record.count - 1'b1;
-  logic [S-1:0] last_segment;
-  always_comb begin
-    last_segment = '0;
-    for (int i = 0; i < L; i++) if (last == CountBits'(i)) last_segment = record.segments[i*S+:S];
-  end
+  record_pool record_pool (
+    .clk_i, .rst_ni, .clear_i, .record_limit_i, .given_i(given), .released_i(released),
+    .put_i(put), .put_addr_i(put_addr), .take_i(take), .take_next_i(record.next), .take_has_next_i(record.has_next),
+    .spare_o(spare), .spare_ready_o(spare_ready), .free_o(free), .free_valid_o(free_valid),
+    .full_o(full_memory), .used_o(used)
+  );
 
   // Bounds take a cycle of their own.
   assign bounded = state_q == Walk && (mode_q == Covers || mode_q == CoversDrop || mode_q == Drop || mode_q == Settle);
@@ -180,29 +177,21 @@ module silhouette_buffer (
   logic note_centre;  // an overflow keeps the nearest depth
   logic [31:0] note_depth;
   logic [shadow_pkg::IdBits-1:0] note_object;
-  logic given, released;
 
   always_comb begin
     state_d = state_q; mode_d = mode_q; insert_d = insert_q;
     kind_d = kind_q; covered_d = covered_q; bare_d = bare_q; object_d = object_q; depth_d = depth_q; first_d = first_q;
     changed_d = changed_q;
-    prev_d = prev_q; prev_valid_d = prev_valid_q; head_d = head_q; chain_d = chain_q; link_d = link_q;
-    next_d = next_q; next_valid_d = next_valid_q; continued_d = continued_q; refill_d = refill_q;
-    spare_d = spare_q; spare_valid_d = spare_valid_q; free_d = free_q; free_valid_d = free_valid_q;
-    fresh_d = fresh_q; count_d = count_q; slot_d = slot_q; moved_d = moved_q; corner_d = corner_q;
-    other_d = other_q;
+    prev_d = prev_q; prev_valid_d = prev_valid_q; chain_d = chain_q;
+    next_d = next_q; next_valid_d = next_valid_q; continued_d = continued_q;
+    count_d = count_q; other_d = other_q;
     lookup_o = 1'b0; lookup_addr_o = record.next;
     update_o = 1'b0; update_addr_o = at_q; update = record;
     ends = 1'b0; take_drop = 1'b0; note = 1'b0; note_centre = 1'b0;
     note_depth = visit_farthest; note_object = object_i;
-    given = 1'b0; released = 1'b0;
+    given = 1'b0; released = 1'b0; put = 1'b0; put_addr = at_q; take = 1'b0;
     hidden_o = 1'b0; line_stored_o = 1'b0; line_cancelled_o = 1'b0; emptied_covered_o = 1'b0;
     lines_hidden_o = '0; overflow_lines_o = '0; overflow_texel_o = 1'b0;
-    if (!spare_valid_q && fresh) begin
-      spare_d       = fresh_q[A-1:0];
-      spare_valid_d = 1'b1;
-      fresh_d       = fresh_q + 1'b1;
-    end
 
     case (state_q)
       Idle: if (start_i) begin
@@ -212,7 +201,7 @@ module silhouette_buffer (
         bare_d  = texel_in.kind == shadow_pkg::TexelList && texel_list.bare;
         mode_d  = Find;
         state_d = Check;
-        if (!spare_valid_q && !fresh) begin
+        if (!spare_ready) begin
           state_d = Take;
         end else begin
           case (texel_in.kind)
@@ -231,18 +220,15 @@ module silhouette_buffer (
       // ---- A spare record ------------------------------------------------------------------------
       Take: begin
         state_d = insert_q ? Insert : Check;
-        if (!fresh && !spare_valid_q && free_valid_q) begin
+        if (!spare_ready && free_valid) begin
           lookup_o      = 1'b1;
-          lookup_addr_o = free_q;
+          lookup_addr_o = free;
           state_d       = Taken;
         end
       end
       Taken: if (there) begin
-        spare_d       = free_q;
-        spare_valid_d = 1'b1;
-        free_d        = record.next;
-        free_valid_d  = record.has_next;
-        state_d       = insert_q ? Insert : Check;
+        take    = 1'b1;
+        state_d = insert_q ? Insert : Check;
       end
 
       // ---- What the texel calls for ----------------------------------------------------------------
@@ -280,14 +266,14 @@ module silhouette_buffer (
         state_d = Spill;
       end else begin
         update_o         = 1'b1;
-        update_addr_o    = spare_q;
+        update_addr_o    = spare;
         update           = '0;
         update.threshold = texel_plane;
         update.object    = object_q;
         update.full      = 1'b1;
         if (written) begin
           given     = 1'b1;
-          first_d   = spare_q;
+          first_d   = spare;
           kind_d    = shadow_pkg::TexelList;
           covered_d = 1'b1;
           depth_d   = cover_farthest;
@@ -302,7 +288,7 @@ module silhouette_buffer (
         state_d = Spill;
       end else begin
         update_o         = 1'b1;
-        update_addr_o    = spare_q;
+        update_addr_o    = spare;
         update           = '0;
         update.threshold = threshold_i;
         update.object    = object_i;
@@ -314,7 +300,7 @@ module silhouette_buffer (
         update.next      = first_q;
         if (written) begin
           given     = 1'b1;
-          first_d   = spare_q;
+          first_d   = spare;
           if (kind_q == shadow_pkg::TexelEmpty) covered_d = 1'b0;
           if (kind_q == shadow_pkg::TexelEmpty) depth_d = mark;
           else if (!covered_q) depth_d = depth_q | mark;
@@ -333,7 +319,7 @@ module silhouette_buffer (
         case (mode_q)
           Find: begin
             count_d = count_q + 1'b1;
-            if (!continued_q && same_plane) state_d = Found;
+            if (!continued_q && same_plane) state_d = Work;
             else ends = 1'b1;
           end
           Covers, CoversDrop: begin
@@ -367,8 +353,8 @@ module silhouette_buffer (
             ends = 1'b1;
             if (!record.has_next) begin
               update_o        = 1'b1;
-              update.next     = free_q;
-              update.has_next = free_valid_q;
+              update.next     = free;
+              update.has_next = free_valid;
               update.goes_on  = 1'b0;
               ends            = written;
             end
@@ -400,12 +386,12 @@ module silhouette_buffer (
         end else begin
           lines_hidden_o  = mode_q == Drop && written ? 16'(record.count) : '0;
           update_o        = 1'b1;
-          update.next     = free_q;
-          update.has_next = free_valid_q;
+          update.next     = free;
+          update.has_next = free_valid;
           if (written) begin
             released      = 1'b1;
-            free_d        = chain_q;
-            free_valid_d  = 1'b1;
+            put             = 1'b1;
+            put_addr   = chain_q;
             next_d        = record.next;
             next_valid_d  = record.has_next;
             continued_d   = 1'b0;
@@ -439,196 +425,47 @@ module silhouette_buffer (
         state_d = Done;
         if (record.full && !record.has_next) begin
           update_o        = 1'b1;
-          update.next     = free_q;
-          update.has_next = free_valid_q;
+          update.next     = free;
+          update.has_next = free_valid;
           state_d         = Last;
           if (written) begin
             released     = 1'b1;
-            free_d       = at_q;
-            free_valid_d = 1'b1;
+            put            = 1'b1;
+            put_addr  = at_q;
             state_d      = Idle;
           end
         end
       end
 
-      // ---- The visit's cluster ---------------------------------------------------------------------
-      Found: begin
-        head_d       = at_q;
-        corner_d     = corner_sum;
-        next_d       = record.next;
-        next_valid_d = record.has_next;
-        if (there) begin
-          if (record.full) begin
-            state_d = Done;
-          end else if (span_i) begin
-            state_d  = record.goes_on ? Trim : Full;
-            chain_d  = record.next;
-            lookup_o = record.goes_on;
-          end else if (corner_i && record.corner == '1) begin
-            state_d = Spill;
-          end else if (has_segment_i && may_meet) begin
-            state_d = Scan;
-          end else if (!has_segment_i || room) begin
-            update_o      = 1'b1;
-            update.corner = corner_sum;
-            if (has_segment_i) begin
-              update.count = record.count + 1'b1;
-              for (int i = 0; i < L; i++) if (record.count == CountBits'(i)) update.segments[i*S+:S] = segment_i;
-            end
-            line_stored_o = has_segment_i && written;
-            if (written) state_d = Idle;
-          end else begin
-            state_d = Append;
-          end
+      // ---- The visit's cluster: cluster_update ---------------------------------------------------
+      Work: begin
+        lookup_o      = work_lookup;
+        lookup_addr_o = work_lookup_addr;
+        update_o      = work_update;
+        update_addr_o = work_update_addr;
+        update        = work_record;
+        given         = work_given;
+        released      = work_released;
+        put           = work_put;
+        put_addr      = work_put_addr;
+        note          = work_covers;
+        take_drop     = work_covers;
+        line_stored_o    = work_stored;
+        line_cancelled_o = work_cancelled;
+        if (work_bare) begin
+          bare_d    = 1'b1;
+          changed_d = changed_q || !bare_q;
         end
-      end
-      Append: if (there) begin
-        update_o      = 1'b1;
-        update.corner = corner_sum;
-        if (room) begin
-          update.count = record.count + 1'b1;
-          for (int i = 0; i < L; i++) if (record.count == CountBits'(i)) update.segments[i*S+:S] = segment_i;
-          line_stored_o = written;
-          if (written) state_d = Done;
-        end else begin
-          // The first record's segments move into a new one behind it.
-          update_addr_o = spare_q;
-          if (full_memory) begin
-            update_o = 1'b0;
-            state_d  = Spill;
-          end else if (written) begin
-            given   = 1'b1;
-            next_d  = spare_q;
-            state_d = Grow;
-          end
-        end
-      end
-      Grow: if (there) begin
-        update_o        = 1'b1;
-        update.corner   = corner_sum;
-        update.count    = CountBits'(1);
-        update.segments[S-1:0] = segment_i;
-        update.goes_on  = 1'b1;
-        update.has_next = 1'b1;
-        update.next     = next_q;
-        if (written) begin
-          state_d       = Done;
-          line_stored_o = used_q <= chain_limit_i;
-          if (used_q > chain_limit_i) begin  // else no list can be too long
-            state_d       = Walk;
-            mode_d        = Count;
-            count_d       = '0;
-            continued_d   = 1'b0;
-            lookup_o      = 1'b1;
-            lookup_addr_o = first_q;
-          end
-        end
-      end
-      // Its records behind the first one, from chain_q on, go: the facet covers the texel.
-      Trim: if (there) begin
-        if (record.goes_on) begin
-          released = 1'b1;
-          lookup_o = 1'b1;
-        end else begin
-          update_o        = 1'b1;
-          update.next     = free_q;
-          update.has_next = free_valid_q;
-          if (written) begin
-            released     = 1'b1;
-            free_d       = chain_q;
-            free_valid_d = 1'b1;
-            next_d       = record.next;
-            next_valid_d = record.has_next;
-            state_d      = Full;
-          end
-        end
-      end
-      Full: begin
-        update_o         = 1'b1;
-        update_addr_o    = head_q;
-        update           = '0;
-        update.threshold = threshold_i;
-        update.object    = object_i;
-        update.full      = 1'b1;
-        update.has_next  = next_valid_q;
-        update.next      = next_q;
-        note             = written;
-        take_drop        = written;
-      end
-
-      // ---- A segment that others may meet -----------------------------------------------------------
-      Scan: if (there) begin
-        lookup_o      = 1'b1;
-        lookup_addr_o = head_q;
-        slot_d        = slot;
-        link_d        = at_q;
-        if (same_dot) begin
-          state_d = Corner;
-        end else if (opposes) begin
-          state_d = at_q == head_q ? Cut : Lift;
-        end else if (record.goes_on) begin
-          lookup_addr_o = record.next;
-        end else begin
-          state_d = Append;
-        end
-      end
-      Corner: if (there) begin
-        update_o      = 1'b1;
-        update.corner = corner_q;
-        line_stored_o = written;
-        if (written) state_d = Done;
-      end
-      // The cluster's last segment takes the place of the cancelled one, in the same record or in link_q.
-      Cut, Lift: if (there) begin
-        update_o      = 1'b1;
-        update.corner = corner_q;
-        update.count  = last;
-        moved_d       = last_segment;
-        refill_d      = last == '0 && record.goes_on;
-        next_d        = record.next;
-        if (state_q == Cut) begin
-          for (int i = 0; i < L; i++) if (slot_q == CountBits'(i)) update.segments[i*S+:S] = last_segment;
-        end
-        if (written) begin
-          if (last == '0 && !record.goes_on) begin
-            bare_d    = 1'b1;
-            changed_d = changed_q || !bare_q;
-          end
-          lookup_o         = state_q == Lift || refill_d;
-          lookup_addr_o    = state_q == Lift ? link_q : record.next;
-          state_d          = state_q == Lift ? Patch : refill_d ? Refill : Done;
-          line_cancelled_o = state_q == Cut && !refill_d;
-        end
-      end
-      Patch: if (there) begin
-        update_o = 1'b1;
-        for (int i = 0; i < L; i++) if (slot_q == CountBits'(i)) update.segments[i*S+:S] = moved_q;
-        if (written) begin
-          lookup_o         = refill_q;
-          lookup_addr_o    = next_q;
-          state_d          = refill_q ? Refill : Done;
-          line_cancelled_o = !refill_q;
-        end
-      end
-      // The record behind an emptied first one becomes the first.
-      Refill: if (there) begin
-        update_o         = 1'b1;
-        update_addr_o    = head_q;
-        update.threshold = threshold_i;
-        update.object    = object_i;
-        update.corner    = corner_q;
-        if (written) state_d = Release;
-      end
-      Release: if (there) begin
-        update_o        = 1'b1;
-        update.next     = free_q;
-        update.has_next = free_valid_q;
-        if (written) begin
-          released         = 1'b1;
-          free_d           = at_q;
-          free_valid_d     = 1'b1;
-          line_cancelled_o = 1'b1;
-          state_d          = Done;
+        if (work_done) state_d = Done;
+        if (work_ends) state_d = Idle;
+        if (work_spills) state_d = Spill;
+        if (work_grown) begin  // is the list too long now?
+          state_d       = Walk;
+          mode_d        = Count;
+          count_d       = '0;
+          continued_d   = 1'b0;
+          lookup_o      = 1'b1;
+          lookup_addr_o = first_q;
         end
       end
 
@@ -698,8 +535,8 @@ module silhouette_buffer (
           bare_d    = 1'b0;
         end
         Free: begin
-          free_d       = first_q;
-          free_valid_d = 1'b1;
+          put            = 1'b1;
+          put_addr  = first_q;
           kind_d       = shadow_pkg::TexelOverflow;
           state_d      = Keep;
         end
@@ -718,8 +555,6 @@ module silhouette_buffer (
       mode_d        = paper_i ? CoversDrop : Drop;
       state_d       = Walk;
     end
-    if (given) spare_valid_d = 1'b0;
-    used_d = used_q + LimitBits'(given) - LimitBits'(released);
   end
 
   // ---- The texel as it becomes ------------------------------------------------------------------
@@ -746,7 +581,7 @@ module silhouette_buffer (
   assign done_o    = state_q != Idle && state_d == Idle;
   assign changed_o = changed_q || state_q == Last;
   assign update_record_o = update;
-  assign records_o = used_q;
+  assign records_o = used;
   always_comb begin
     cause_o = shadow_pkg::StoreChain;
     if (update_o && !update_ready_i) cause_o = shadow_pkg::StoreWrite;
@@ -755,24 +590,9 @@ module silhouette_buffer (
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      state_q       <= Idle;
-      spare_valid_q <= 1'b0;
-      free_valid_q  <= 1'b0;
-      fresh_q       <= '0;
-      used_q        <= '0;
-    end else if (clear_i) begin
-      state_q       <= Idle;
-      spare_valid_q <= 1'b0;
-      free_valid_q  <= 1'b0;
-      fresh_q       <= '0;
-      used_q        <= '0;
+      state_q <= Idle;
     end else begin
-      state_q       <= state_d;
-      spare_valid_q <= spare_valid_d;
-      free_valid_q  <= free_valid_d;
-      fresh_q       <= fresh_d;
-      used_q        <= used_d;
-      `CHECK(gives_what_it_has, !given || (spare_valid_q && !full_memory))
+      state_q <= clear_i ? Idle : state_d;
       `CHECK(starts_when_ready, !start_i || ready_o)
       `CHECK(settles_lists, !(start_i && settle_i) || texel_in.kind == shadow_pkg::TexelList)
     end
@@ -782,10 +602,9 @@ module silhouette_buffer (
     mode_q <= mode_d; insert_q <= insert_d;
     kind_q <= kind_d; covered_q <= covered_d; bare_q <= bare_d; object_q <= object_d; depth_q <= depth_d; first_q <= first_d;
     changed_q <= changed_d;
-    prev_q <= prev_d; prev_valid_q <= prev_valid_d; head_q <= head_d; chain_q <= chain_d; link_q <= link_d;
-    next_q <= next_d; next_valid_q <= next_valid_d; continued_q <= continued_d; refill_q <= refill_d;
-    spare_q <= spare_d; free_q <= free_d; count_q <= count_d; slot_q <= slot_d; moved_q <= moved_d;
-    corner_q <= corner_d; other_q <= other_d;
+    prev_q <= prev_d; prev_valid_q <= prev_valid_d; chain_q <= chain_d;
+    next_q <= next_d; next_valid_q <= next_valid_d; continued_q <= continued_d;
+    count_q <= count_d; other_q <= other_d;
     nearest_q <= nearest; farthest_q <= farthest;
     seen_q <= hit_i && !lookup_o;
     if (lookup_o) at_q <= lookup_addr_o;
