@@ -31,8 +31,8 @@ class Walk {
       const LightPoint &a = c.vertex[i], &b = c.vertex[(i + 1) % 3], &o = c.vertex[(i + 2) % 3];
       const std::int64_t dx = std::int64_t{b.x} - a.x, dy = std::int64_t{b.y} - a.y;
       area = Wide{dx} * (std::int64_t{o.y} - a.y) - Wide{dy} * (std::int64_t{o.x} - a.x);
-      const auto value = static_cast<std::int64_t>(
-          Wide{dx} * ((std::int64_t{y} << bits) - a.y) - Wide{dy} * ((std::int64_t{x} << bits) - a.x));
+      const auto value = static_cast<std::int64_t>(Wide{dx} * ((std::int64_t{y} << bits) - a.y) -
+                                                   Wide{dy} * ((std::int64_t{x} << bits) - a.x));
       put(dut_.start_i, 42 * i, 42, value >> bits);
       inexact |= std::uint32_t((value & ((std::int64_t{1} << bits) - 1)) != 0) << i;
       put(dut_.dx_i, 29 * i, 29, dx);
@@ -58,8 +58,45 @@ class Walk {
   Vcorner_functions_test_dut dut_;
 };
 
-/// Walks at random over triangles of every size, some with vertices and edges on corners; fails if a
-/// step is wrong, if an exact tie goes to the wrong side, or if the winding matters.
+/// Corners on the edges and a few units beside them: vertices on corners or 2^k units from one,
+/// edges along the rows and columns. Fails if a function is wrong where it is 0 or nearly so.
+TEST(CornerFunctions, TellTheEdgesApartToTheUnit) {
+  std::mt19937_64 random(2);
+  const auto in = [&](int low, int high) {
+    return std::uniform_int_distribution<int>(low, high)(random);
+  };
+  constexpr int kBits = 16;
+  int covered = 0;
+  for (int round = 0; round < 3000; ++round) {
+    Caster c;
+    for (LightPoint& p : c.vertex) {
+      p.x = 2 * in(-2, 2) << kBits;
+      p.y = 2 * in(-2, 2) << kBits;
+      const int off = in(0, 2) == 0 ? (in(0, 1) ? 1 : -1) << in(0, 8) : 0;
+      (in(0, 1) ? p.x : p.y) += off;
+    }
+    const unit::Polygon polygon(c, kBits);
+    if (polygon.degenerate()) continue;
+    const int start_x = in(-4, 4), start_y = in(-4, 0);
+    int x = start_x, y = start_y;
+    Walk walk(c, kBits, x, y);
+    for (int step = 0; step < 30; ++step) {
+      ASSERT_EQ(walk.inside(), polygon.covers_corner(x, y))
+          << "round " << round << " step " << step;
+      covered += walk.inside();
+      const bool restart = y == 4 || in(0, 19) == 0;
+      if (restart) x = start_x, y = start_y;
+      const int dx = in(x == -4 ? 0 : -1, x == 4 ? 0 : 1), dy = in(0, 3) == 0;
+      x += dx;
+      y += dy;
+      walk.move(restart, dx, dy);
+    }
+  }
+  EXPECT_GT(covered, 3000);
+}
+
+/// Walks at random over triangles of every size, some with vertices and edges on corners; fails if
+/// a step is wrong, if an exact tie goes to the wrong side, or if the winding matters.
 TEST(CornerFunctions, CoversAsTheModelDoes) {
   std::mt19937_64 random(1);
   const auto in = [&](std::int64_t low, std::int64_t high) {
@@ -70,7 +107,8 @@ TEST(CornerFunctions, CoversAsTheModelDoes) {
     const int bits = static_cast<int>(in(16, 26));
     const std::int64_t texel = std::int64_t{1} << bits;
     const std::int64_t limit = std::int64_t{1} << 27;
-    const std::int64_t size = std::min(limit, std::int64_t{1} << in(bits - 2, std::min(bits + 5, 27)));
+    const std::int64_t size =
+        std::min(limit, std::int64_t{1} << in(bits - 2, std::min(bits + 5, 27)));
     Caster c;
     const std::int64_t cx = in(-limit, limit - 1), cy = in(-limit, limit - 1);
     const bool lattice = in(0, 2) == 0;

@@ -97,6 +97,26 @@ void divide_random(int numerator_bits, int divisor_bits, int quotient_bits) {
 TEST(Divider, SkippingMatchesFloorDiv) { divide_random<Vdivider_test_dut>(63, 56, 63); }
 TEST(Divider, ShortQuotientMatchesFloorDiv) { divide_random<Vdivider_short_dut>(55, 28, 29); }
 
+/// Divisors and rests of full length, quotients of any: what the topmost bits of rest and divisor
+/// do.
+TEST(Divider, DividesByTheLongestDivisors) {
+  std::mt19937_64 random(3);
+  Bench<Vdivider_test_dut> bench;
+  for (int i = 0; i < 4000; ++i) {
+    std::int64_t divisor = static_cast<std::int64_t>(random() >> 8) | std::int64_t{1} << 55;
+    if (i % 4 == 0) divisor >>= random() % 8;
+    const auto quotient = static_cast<std::int64_t>(random() >> (58 + random() % 6));
+    // A rest of any length, or one below the divisor.
+    const std::int64_t rest =
+        i % 5 == 0 ? divisor - 1
+                   : static_cast<std::int64_t>(random() >> (8 + random() % 56)) % divisor;
+    if (quotient > ((std::int64_t{1} << 61) - rest) / divisor) continue;
+    const std::int64_t numerator = quotient * divisor + rest;
+    bench.divide(i % 2 == 0 ? numerator : -numerator, divisor, 63, 63, 0);
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
 TEST(Divider, SkipsLeadingZerosOfTheQuotient) {
   Bench<Vdivider_test_dut> bench;
   bench.divide((std::int64_t{1} << 55) + 12345, std::int64_t{1} << 50, 63, 63, 0);
