@@ -19,7 +19,7 @@ of the mapped netlist.
 **Assumed**: memories answer {} ns after the clock and take their inputs {} ns before it; ports are
 registers; no delay on wires, no skew; typical process, 1.8 V, 25 degrees.
 
-**The flow** (`testbench/synthesis/synthesis.ys.in`, `abc.script`). Each module is mapped by itself, so that
+**The flow** (`testbench/synthesis/elaborate.ys.in`, `map.ys.in`, `abc.script`). Each module is mapped by itself, so that
 every block has a figure; `--flatten` dissolves them first. ABC gets no `dc2`: it takes the carry chains
 that Yosys lays out as prefix trees apart into ripples. Its area mapper `amap`, on the structural choices
 of `dch`, gives the smallest netlist, and `buffer`, `upsize` and `dnsize` then size it for its loads. Other
