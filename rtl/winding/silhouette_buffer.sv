@@ -3,13 +3,12 @@
 //
 // Twins:   model/unit/winding/shadow_unit_store.cpp (hidden, find, open_list, add, cover, drop_hidden, overflow),
 //          shadow_unit_pass2.cpp (settle_texel), silhouette_buffer.cpp
-// Numbers: records in use and limits as the golden records_. A cluster's first record is the one that is not
-//          full; the records behind it are: so a segment is added, and the last one taken away, at the first.
-// Timing:  start_i in a cycle of ready_o; done_o three cycles later for a segment that the list's first record has
-//          room for. Everything else walks the list, a record in two cycles if it is on chip.
+// Numbers: records in use and limits as the golden records_.
+// Timing:  start_i in a cycle of ready_o; done_o two cycles later for a plane that is new to the texel, or a segment
+//          that the first record has room for. Everything else walks the list (docs/rtl.md, what a visit costs).
 //
-// A walk reads the records of the list one after the other; `mode` says what it does with them. A released record
-// joins a list of free ones; the next to be given out, `spare`, is known before it is needed.
+// A walk reads the records of the list one after the other; `mode` says what it does with them. What becomes of the
+// cluster of the visit's plane is cluster_update's, which records are free is record_pool's.
 `include "check.svh"
 module silhouette_buffer (
   input  logic                                  clk_i,
