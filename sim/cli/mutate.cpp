@@ -129,6 +129,7 @@ void add_mutate(CLI::App& app) {
       ->type_name("FILE");
   command.footer(
       "Builds the tests with recorders in a folder of the cache (the first time takes minutes).\n"
+      "Blocks whose RTL and stimulus have not changed since are not run again.\n"
       "Exit status 1 if a mutant survives.");
   command.callback([arguments] { run_mutate(*arguments); });
 }

@@ -131,6 +131,42 @@ void read_kills(const fs::path& file, MutationResult& result) {
   }
 }
 
+// ---- Results are kept: a run that was stopped goes on with the next block.
+// -----------------------
+
+std::string key_of(const Recording& recording, unsigned count, double limit_s) {
+  ContentKey key;
+  key.add("count", fmt::format("{} {}", count, limit_s)).add("pins", read_file(recording.pins));
+  for (const std::string& source : sources_of(recording)) key.add("source", read_file(source));
+  for (const auto& [name, value] : recording.parameters) key.add(name, value);
+  for (const char* file : {"mutants.ys.in", "equivalent.ys.in", "player.cpp"}) {
+    key.add(file, read_file(source_folder() + "/testbench/mutation/" + file));
+  }
+  return key.hex();
+}
+
+void keep(const MutationResult& result, const std::string& key, const fs::path& file) {
+  std::string text =
+      fmt::format("{} {} {} {}\n", key, result.mutants.size(), result.beats, result.unlike);
+  for (const Mutant& mutant : result.mutants) {
+    text += fmt::format("{} {}\n", mutant.killed_at, int(mutant.equivalent));
+  }
+  write_file(file, text);
+}
+
+/// False: there is no result of that key.
+bool take_kept(const std::string& key, const fs::path& folder, MutationResult& result) {
+  if (!fs::exists(folder / "result.txt")) return false;
+  std::istringstream text(read_file(folder / "result.txt"));
+  std::string kept_key;
+  std::size_t count = 0;
+  text >> kept_key >> count >> result.beats >> result.unlike;
+  result.mutants = read_mutants(folder / "mutants.txt");
+  if (kept_key != key || count != result.mutants.size()) return false;
+  for (Mutant& mutant : result.mutants) text >> mutant.killed_at >> mutant.equivalent;
+  return bool(text);
+}
+
 }  // namespace
 
 std::size_t MutationResult::killed() const {
@@ -151,6 +187,10 @@ MutationResult mutate(const MutationBlock& block, unsigned count, double limit_s
   tell("recording " + block.test);
   const Recording recording = record(block);
   const fs::path folder = cache_folder() / "mutation" / block.name;
+  const std::string key = key_of(recording, count, limit_s);
+  MutationResult kept;
+  kept.block = block.name;
+  if (take_kept(key, folder, kept)) return kept;
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   tell("making mutants");
@@ -171,6 +211,7 @@ MutationResult mutate(const MutationBlock& block, unsigned count, double limit_s
     tell(fmt::format("is mutant {} equivalent?", mutant.number));
     mutant.equivalent = proven_equivalent(recording, folder.string(), mutant.number, limit_s);
   }
+  keep(result, key, folder / "result.txt");
   return result;
 }
 

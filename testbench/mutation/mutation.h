@@ -25,6 +25,7 @@ struct MutationResult {
   std::size_t survivors() const { return mutants.size() - killed() - equivalent(); }
 };
 
+/// The result is kept in the cache until the RTL, the recorded pins or the numbers change.
 /// @param count    mutants
 /// @param limit_s  of the search for a proof, a survivor
 MutationResult mutate(const MutationBlock& block, unsigned count, double limit_s,

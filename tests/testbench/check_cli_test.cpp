@@ -51,6 +51,22 @@ TEST_F(CheckCli, AgreesUnderStallsAndAfterFramesCutShort) {
   }
 }
 
+TEST_F(CheckCli, AgreesWithTwoLanesAndOtherWidths) {
+  for (const std::string profile : {"paper", "winding"}) {
+    std::vector<std::string> arguments{
+        "check",           "glyphs",  "--image",  "64x36",
+        "--map",           "64",      "--set",    "profile=" + profile,
+        "--set",           "lanes=2", "--set",    "fraction_bits=4",
+        "--frames",        "2",       "--abort",  "2",
+        "--latency",       "1-60",    "--stalls", "30",
+        "--stream-stalls", "30",      "--build",  "check",
+        "--json",          "-"};
+    const Json json = json_of(arguments);
+    expect_equal(json);
+    EXPECT_EQ(json.at("frames"), 2);
+  }
+}
+
 TEST_F(CheckCli, TheReportSaysWhereTheCyclesWent) {
   for (const std::string profile : {"paper", "winding"}) {
     const Json json =
@@ -79,12 +95,12 @@ TEST_F(CheckCli, StressAndSoakFindNothing) {
   EXPECT_EQ(stress.at("total").at("violations"), 0);
   EXPECT_GT(stress.at("total").at("verdicts_compared"), 0);
 
-  const Json soak = json_of({"soak", "--fragments", "3000", "--image", "32x18", "--seed", "3",
-                             "--json", "-"});
+  const Json soak =
+      json_of({"soak", "--fragments", "3000", "--image", "32x18", "--seed", "3", "--json", "-"});
   EXPECT_EQ(soak.at("total").at("violations"), 0);
   EXPECT_GE(soak.at("total").at("verdicts_compared"), 3000);
-  const Json more = json_of({"soak", "--hours", "0.0002", "--image", "32x18", "--resume", "--json",
-                             "-"});
+  const Json more =
+      json_of({"soak", "--hours", "0.0002", "--image", "32x18", "--resume", "--json", "-"});
   EXPECT_GT(more.at("next_case"), soak.at("next_case"));
   EXPECT_EQ(more.at("seed"), 3);
 }
