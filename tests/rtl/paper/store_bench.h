@@ -21,6 +21,8 @@ struct StoreCounts {
   std::array<std::uint64_t, 16> causes{};
 };
 
+using EntryName = std::array<std::uint64_t, 3>;  ///< x, y, object
+
 template <typename Dut>
 class StoreBench {
  public:
@@ -104,9 +106,23 @@ class StoreBench {
   std::uint64_t linked_records() const {
     return paper_records(config_, layout_, [this](std::uint64_t a) { return records_.peek(a); });
   }
+  /// A bucket's entries in the order in which they are linked.
+  std::vector<EntryName> chain(std::uint64_t bucket) const {
+    const PaperLayout::Record& r = layout_.record;
+    const unsigned map_bits = layout_.widths.map_bits;
+    std::vector<EntryName> out;
+    Word word = records_.peek(bucket);
+    for (bool more = r.used.get(word) != 0; more;) {
+      const std::uint64_t texel = r.texel.get(word);
+      out.push_back({texel & ((1u << map_bits) - 1), texel >> map_bits, r.object.get(word)});
+      more = r.has_next.get(word) != 0;
+      if (more) word = records_.peek(r.next.get(word));
+    }
+    return out;
+  }
   std::uint64_t records() const { return dut_.records_o; }
 
- private:
+ protected:
   void wipe() {
     dut_.wipe_i = 1;
     for (bool wiped = false; !wiped;) {

@@ -6,6 +6,8 @@
 
 #include "Vstore_test_dut.h"
 #include "model/frame_setup.h"
+#include "model/golden.h"
+#include "model/unit/shadow_unit.h"
 #include "tests/model/random_casters.h"
 #include "tests/model/unit/frame.h"
 #include "tests/rtl/paper/store_bench.h"
@@ -55,11 +57,12 @@ std::string in_words(const TexelEntry& entry) {
   return out.str();
 }
 
-/// The store against golden on the same casters: buffers, SLB, counters.
+/// The store against golden on the same casters: buffers, SLB, its chains' order, counters.
 void compare(Bench& bench, const UnitConfig& config, const FrameSetup& setup,
              const std::vector<Caster>& casters, unsigned offer_percent, const std::string& name) {
   SCOPED_TRACE(name);
-  const auto golden = make_golden_engine();
+  const auto unit = std::make_shared<unit::ShadowUnit>();
+  const auto golden = make_golden_paper_engine(unit);
   golden->begin(config, setup);
   golden->draw(casters.data(), casters.size());
   std::vector<Caster> numbered = casters;
@@ -77,6 +80,15 @@ void compare(Bench& bench, const UnitConfig& config, const FrameSetup& setup,
   for (std::size_t i = 0; i < got.entries.size(); ++i) {
     const TexelEntry &a = got.entries[i], &b = expected.entries[i];
     ASSERT_TRUE(a == b) << "entry " << i << "\nis       " << in_words(a) << "\nis to be " << in_words(b);
+  }
+  for (std::uint32_t bucket = 0; bucket < unit->slb().buckets(); ++bucket) {
+    std::vector<EntryName> chain;
+    for (std::uint32_t at = unit->slb().head(bucket); at != unit::SilhouetteBuffer::kNone;
+         at = unit->slb()[at].next) {
+      const unit::Record& r = unit->slb()[at];
+      chain.push_back({r.texel % expected.width, r.texel / expected.width, r.object});
+    }
+    ASSERT_EQ(bench.chain(bucket), chain) << "bucket " << bucket;
   }
   const UnitCounters c = golden->counters();
   EXPECT_EQ(counts.stored, c.lines_stored);
