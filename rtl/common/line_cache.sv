@@ -257,9 +257,10 @@ module line_cache #(
       turn_q         <= 1'b0;
       met_q          <= 1'b0;
     end else begin
-      turn_q  <= turn_q ^ fill;
+      turn_q  <= !clear_i && (turn_q ^ fill);
       // As hints do, lookups of one word that follow each other count once.
-      if (lookup_i) met_q <= lookup_addr_i == lookup_q && (met_q || hit_o);
+      if (clear_i) met_q <= 1'b0;
+      else if (lookup_i) met_q <= lookup_addr_i == lookup_q && (met_q || hit_o);
       else if (hit_o) met_q <= 1'b1;
       valid_q <= valid_d;
       busy_q  <= busy_d;

@@ -12,7 +12,7 @@ module record_buffer (
   input  logic                  rst_ni,
   input  logic                  clear_i,
   input  shadow_pkg::settings_t settings_i,
-  input  logic                  wipe_i,   // held until wiped_o: clears the buckets' own records
+  input  logic                  wipe_i,   // held until wiped_o: clears the buckets' own records, and all links
   output logic                  wiped_o,
   output logic                  wiping_o,
   output logic [shadow_pkg::RecordAddrBits-1:0] wipe_addr_o,
@@ -22,6 +22,7 @@ module record_buffer (
   input  logic                  soon_valid_i,  // the same, less urgent
   output logic                  soon_ready_o,
   input  logic [shadow_pkg::RecordAddrBits-1:0] soon_addr_i,
+  input  logic                  active_i,  // visits are inside; else links are not followed, or a pass would not end
   // the record being worked on
   input  logic                  lookup_i,
   input  logic                  lookup_new_i,
@@ -55,7 +56,8 @@ module record_buffer (
   localparam int unsigned KeyBits  = AddrBits - LinkBits;
 
   shadow_pkg::record_t came, linking;
-  logic                wiping_q, wiping, cache_idle;
+  logic                wiping_q, wiping, unlinking, cache_idle;
+  logic [LinkBits:0]   unlinked_q;  // links wiped
   logic [AddrBits-1:0] wipe_q;
 
   // ---- Links: followed ahead, if nothing more urgent is to be hinted ------------------------------
@@ -68,19 +70,20 @@ module record_buffer (
   assign linking      = update_i ? update_record_i : record_o;
   assign linking_addr = update_i ? update_addr_i : lookup_q;
   ram_1r1w #(.Width(1 + KeyBits + AddrBits), .Depth(Links)) links (
-    .clk_i, .write_i(hit_o || (update_i && update_ready_o)), .write_addr_i(linking_addr[LinkBits-1:0]),
-    .write_data_i({linking.has_next || linking.has_more, linking_addr[AddrBits-1:LinkBits],
+    .clk_i, .write_i(unlinking || hit_o || (update_i && update_ready_o)),
+    .write_addr_i(unlinking ? unlinked_q[LinkBits-1:0] : linking_addr[LinkBits-1:0]),
+    .write_data_i(unlinking ? '0 : {linking.has_next || linking.has_more, linking_addr[AddrBits-1:LinkBits],
                    linking.has_next ? linking.next : linking.more}),
     .read_i(1'b1), .read_addr_i(hint_addr[LinkBits-1:0]), .read_data_o({link_has, link_key, link_addr})
   );
   assign followed = rsp_valid_i ? came.has_next || came.has_more
                   : asked_q && link_has && link_key == asked_key_q;
   fifo #(.Width(AddrBits), .Depth(16)) follow (
-    .clk_i, .rst_ni, .clear_i(clear_i || wipe_i), .valid_i(followed || soon_valid_i), .ready_o(follow_ready),
+    .clk_i, .rst_ni, .clear_i(clear_i || !active_i), .valid_i(followed || soon_valid_i), .ready_o(follow_ready),
     .data_i(!followed ? soon_addr_i : !rsp_valid_i ? link_addr : came.has_next ? came.next : came.more),
     .valid_o(follow_valid), .ready_i(!hint_valid_i && hint_ready), .data_o(follow_addr), .empty_o(unused_none)
   );
-  assign hint         = hint_valid_i || follow_valid;
+  assign hint         = hint_valid_i || (follow_valid && active_i);
   assign hint_addr    = hint_valid_i ? hint_addr_i : follow_addr;
   assign hint_ready_o = hint_ready;
   assign soon_ready_o = follow_ready && !followed;
@@ -100,7 +103,8 @@ module record_buffer (
 
   // The buckets' own records are the first ones.
   assign wiping      = wiping_q && !wipe_q[settings_i.buckets_log2];
-  assign wiped_o     = wipe_i && wiping_q && !wiping && cache_idle;
+  assign unlinking   = wiping_q && !unlinked_q[LinkBits];
+  assign wiped_o     = wipe_i && wiping_q && !wiping && !unlinking && cache_idle;
   assign wiping_o    = wiping_q;
   assign wipe_addr_o = wipe_q;
   assign idle_o      = !wiping && cache_idle;
@@ -117,6 +121,8 @@ module record_buffer (
   always_ff @(posedge clk_i) begin
     if (!wiping_q) wipe_q <= '0;
     else if (wiping && update_ready_o) wipe_q <= wipe_q + 1'b1;
+    if (!wiping_q) unlinked_q <= '0;
+    else if (unlinking) unlinked_q <= unlinked_q + 1'b1;
     if (lookup_i) lookup_q <= lookup_addr_i;
     asked_q     <= hint && hint_ready;
     asked_key_q <= hint_addr[AddrBits-1:LinkBits];

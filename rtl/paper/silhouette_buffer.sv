@@ -24,6 +24,7 @@ module silhouette_buffer (
   input  logic                  soon_valid_i,  // less urgent
   output logic                  soon_ready_o,
   input  logic [shadow_pkg::RecordAddrBits-1:0] soon_addr_i,
+  input  logic                  active_i,      // visits are inside
   // an operation; VisitEdgesDone: an entry of the triangle's object that an edge emptied
   input  logic                  start_i,
   output logic                  ready_o,
@@ -215,7 +216,7 @@ module silhouette_buffer (
   );
   record_buffer records (
     .clk_i, .rst_ni, .clear_i, .settings_i, .wipe_i, .wiped_o, .wiping_o(wiping), .wipe_addr_o(wipe_addr),
-    .hint_valid_i, .hint_ready_o, .hint_addr_i, .soon_valid_i, .soon_ready_o, .soon_addr_i,
+    .hint_valid_i, .hint_ready_o, .hint_addr_i, .soon_valid_i, .soon_ready_o, .soon_addr_i, .active_i,
     .lookup_i(start ? kind_i != shadow_pkg::VisitSpan : fire && look && !last),
     .lookup_new_i(!start && step.look_new), .lookup_end_i(fire && last),
     .lookup_addr_i(start ? bucket_i : look_addr), .hit_o(hit), .record_o(record),

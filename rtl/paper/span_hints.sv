@@ -37,10 +37,11 @@ module span_hints (
   logic [SpanBits-1:0] span, word;  // {bucket, texels that it covers}
   logic [KeyBits-1:0]  key, key_q;
   logic [LineBits-1:0] tag_q;
-  logic                read_q, came_q;
+  logic                read_q, came_q, unknown_q;  // unknown_q: it came before the table had it
   logic [Texels-1:0]   edges_q, todo_q;
   logic [AddrBits-1:0] bucket_q;
   logic [1:0]          texel;
+  logic [Texels-1:0]   fresh;
 
   ram_1r1w #(.Width(KeyBits + SpanBits), .Depth(1 << SlotBits)) queued (
     .clk_i, .write_i(visit_i), .write_addr_i(visit_addr_i[SlotBits-1:0]),
@@ -56,6 +57,7 @@ module span_hints (
 
   // A texel's bucket is the one behind its left neighbour's: (x + 181 y) mod the buckets.
   assign texel        = todo_q[0] ? 2'd0 : todo_q[1] ? 2'd1 : todo_q[2] ? 2'd2 : 2'd3;
+  assign fresh        = word[Texels-1:0] & edges_q & {Texels{!unknown_q}};
   assign hint_valid_o = todo_q != '0;
   assign hint_addr_o  = (bucket_q + AddrBits'(texel)) & ~({AddrBits{1'b1}} << settings_i.buckets_log2);
 
@@ -69,7 +71,7 @@ module span_hints (
       came_q <= rsp_valid_i && !clear_i;
       // What was not hinted yet gives way.
       if (clear_i) todo_q <= '0;
-      else if (came_q && (word[Texels-1:0] & edges_q) != '0) todo_q <= word[Texels-1:0] & edges_q;
+      else if (came_q && fresh != '0) todo_q <= fresh;
       else if (hint_ready_i) todo_q <= todo_q & (todo_q - 1'b1);
     end
   end
@@ -79,7 +81,8 @@ module span_hints (
     for (int unsigned i = 0; i < Texels; i++) begin
       edges_q[i] <= rsp_data_i[i*shadow_pkg::TexelBits + shadow_pkg::IdBits + shadow_pkg::DepthBits + 1];
     end
-    if (came_q) bucket_q <= word[SpanBits-1:Texels];
+    if (came_q && fresh != '0) bucket_q <= word[SpanBits-1:Texels];
+    unknown_q <= read_q && rsp_tag_i[LineBits-1:0] == tag_q;
   end
 
   logic unused;

@@ -171,11 +171,13 @@ module store (
     .wr_addr_o(texel_wr_addr_o), .wr_data_o(texel_wr_data_o), .wr_mask_o(texel_wr_mask_o)
   );
 
+  logic soon_valid, soon_hint_ready, active;
+  logic [shadow_pkg::RecordAddrBits-1:0] soon_addr;
   silhouette_buffer records (
     .clk_i, .rst_ni, .clear_i, .settings_i, .wipe_i, .wiped_o(records_wiped),
     .hint_valid_i((hint_emptied && hints_ready) || (push && visit_i.kind == shadow_pkg::VisitEdge)),
      .hint_ready_o(record_hint_ready),
-    .hint_addr_i(hint_bucket), .soon_valid_i(soon_valid), .soon_ready_o(soon_hint_ready), .soon_addr_i(soon_addr),
+    .hint_addr_i(hint_bucket), .soon_valid_i(soon_valid), .soon_ready_o(soon_hint_ready), .soon_addr_i(soon_addr), .active_i(active),
     .start_i(start), .ready_o(ready), .kind_i(place_kind), .x_i(next_x), .y_i(next_y),
     .bucket_i(next_bucket), .depth_i(emptied_depth), .visit_i(visit), .tri_i(visit_tri),
     .emptied_o(emptied), .x_o(x), .y_o(y),
@@ -190,8 +192,6 @@ module store (
     .idle_o(records_idle), .cause_o(cause), .records_o, .events_o
   );
 
-  logic soon_valid, soon_hint_ready;
-  logic [shadow_pkg::RecordAddrBits-1:0] soon_addr;
   span_hints spans (
     .clk_i, .rst_ni, .clear_i(clear_i || wipe_i), .settings_i,
     .visit_i(push && visit_i.kind != shadow_pkg::VisitEdgesDone),
@@ -203,7 +203,8 @@ module store (
   );
 
   assign done         = busy_q && ready;
-  assign idle_o       = places_empty && list_none && soon_none && !busy_q && texels_idle && records_idle;
+  assign active       = !(places_empty && list_none && soon_none) || busy_q;
+  assign idle_o       = !active && texels_idle && records_idle;
   assign wiped_o      = texels_wiped && records_wiped;
   assign settled_o    = settle_i && idle_o;
   assign frag_ready_o = 1'b1;
