@@ -10,9 +10,11 @@ struct FragmentTrail {
   bool reads_texel = false;    ///< else its tile decides, or there is no texel
   std::uint32_t x = 0, y = 0;  ///< its texel
   std::uint32_t tile_slot = 0;
-  /// The SLB records that are read; none where the texel decides. Of each, how many of its segments
-  /// have the fragment within their box.
-  std::vector<std::uint8_t> records;
+  struct Record {
+    std::uint32_t address;
+    std::uint32_t boxed;  ///< of its segments: how many have the fragment within their box
+  };
+  std::vector<Record> records;  ///< that are read; none where the texel decides
 
   void clear() {
     reads_tile = reads_texel = false;

@@ -212,18 +212,19 @@ Verdict ShadowUnit::read_texel(const Texel& texel, const Fragment& fragment, Tal
 void ShadowUnit::follow(std::uint32_t list, std::uint32_t clusters, const Place& place, int shift,
                         FragmentTrail& trail) const {
   for (; clusters > 0; --clusters, list = slb_[list].next) {
-    std::uint32_t left = slb_.first_segments_of(slb_[list]);
-    std::uint8_t within = 0;
-    slb_.each_segment(slb_[list], [&](const Segment& segment) {
+    const Cluster& cluster = slb_[list];
+    std::uint32_t left = slb_.first_segments_of(cluster);
+    FragmentTrail::Record record{cluster.record, 0};
+    slb_.each_segment(cluster, [&](const Segment& segment) {
       if (left-- == 0) {
-        trail.records.push_back(within);
-        within = 0;
+        trail.records.push_back(record);
+        record = {slb_.record_behind(record.address), 0};
         left = slb_.segments_per_record() - 1;
       }
-      within += boxed(segment, place, shift);
+      record.boxed += boxed(segment, place, shift);
       return true;
     });
-    trail.records.push_back(within);
+    trail.records.push_back(record);
   }
 }
 

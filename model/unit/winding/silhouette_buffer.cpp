@@ -5,6 +5,7 @@ namespace kagesen::unit::winding {
 void SilhouetteBuffer::clear(std::uint32_t capacity, std::uint32_t segments_per_record) {
   clusters_.clear();
   segments_.clear();
+  behind_.clear();
   free_cluster_ = free_segment_ = kNone;
   capacity_ = capacity;
   per_record_ = segments_per_record;
@@ -22,7 +23,7 @@ std::uint32_t SilhouetteBuffer::insert(std::uint32_t& head, const Threshold& thr
     at = static_cast<std::uint32_t>(clusters_.size());
     clusters_.emplace_back();
   }
-  clusters_[at] = {threshold, object, 0, false, 0, kNone, head};
+  clusters_[at] = {threshold, object, 0, false, 0, kNone, head, new_record(kNone)};
   head = at;
   return at;
 }
@@ -50,7 +51,10 @@ bool SilhouetteBuffer::add(Cluster& c, const Segment& segment, bool& cancelled) 
     c.first_segment = segments_[last].next;
     segments_[last].next = free_segment_;
     free_segment_ = last;
-    records_ -= records_for(c.segment_count) - records_for(c.segment_count - 1);
+    if (records_for(c.segment_count) > records_for(c.segment_count - 1)) {
+      --records_;
+      behind_[c.record] = behind_[behind_[c.record]];
+    }
     --c.segment_count;
     cancelled = true;
     return true;
@@ -58,6 +62,7 @@ bool SilhouetteBuffer::add(Cluster& c, const Segment& segment, bool& cancelled) 
   const std::uint32_t more = records_for(c.segment_count + 1) - records_for(c.segment_count);
   if (records_ + more > capacity_) return false;
   take(more);
+  if (more != 0) behind_[c.record] = new_record(behind_[c.record]);
   std::uint32_t at = free_segment_;
   if (at != kNone) {
     free_segment_ = segments_[at].next;
@@ -80,6 +85,7 @@ void SilhouetteBuffer::drop_segments(Cluster& c) {
     free_segment_ = at;
   }
   c.segment_count = 0;
+  behind_[c.record] = kNone;
 }
 
 }  // namespace kagesen::unit::winding

@@ -16,7 +16,8 @@ struct Cluster {
   bool full = false;         ///< one of them covers all of the texel: neither corner nor segments
   std::uint32_t segment_count = 0;
   std::uint32_t first_segment = 0;
-  std::uint32_t next = 0;  ///< in the texel
+  std::uint32_t next = 0;    ///< in the texel
+  std::uint32_t record = 0;  ///< address of its first record
 
   bool same_plane(const Threshold& t, std::uint32_t of_object) const {
     return threshold == t && object == of_object;
@@ -56,6 +57,10 @@ class SilhouetteBuffer {
   std::uint32_t first_segments_of(const Cluster& c) const {
     return c.segment_count == 0 ? 0 : (c.segment_count - 1) % per_record_ + 1;
   }
+  /// The address of the record behind this one in its cluster.
+  std::uint32_t record_behind(std::uint32_t address) const { return behind_[address]; }
+  /// Records get their addresses in turn while there are any that no record had before. Is that so?
+  bool addresses_known() const { return behind_.size() <= capacity_; }
   std::uint64_t records() const { return records_; }
   std::uint64_t peak_records() const { return peak_; }
 
@@ -67,6 +72,10 @@ class SilhouetteBuffer {
   std::uint32_t records_for(std::uint32_t segments) const {
     return segments <= per_record_ ? 1 : (segments + per_record_ - 1) / per_record_;
   }
+  std::uint32_t new_record(std::uint32_t behind) {
+    behind_.push_back(behind);
+    return static_cast<std::uint32_t>(behind_.size() - 1);
+  }
   void take(std::uint32_t records) {
     records_ += records;
     if (records_ > peak_) peak_ = records_;
@@ -74,6 +83,7 @@ class SilhouetteBuffer {
 
   std::vector<Cluster> clusters_;
   std::vector<Node> segments_;
+  std::vector<std::uint32_t> behind_;  // by a record's address
   std::uint32_t free_cluster_ = kNone, free_segment_ = kNone;
   std::uint64_t capacity_ = 0, records_ = 0, peak_ = 0;
   std::uint32_t per_record_ = 1;

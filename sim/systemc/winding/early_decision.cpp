@@ -19,10 +19,12 @@ void EarlyDecision::begin_pass(std::uint32_t slots, unsigned map_bits, unsigned 
   texel_words.begin_pass();
   map_bits_ = map_bits;
   stays_.assign(slots, {});
-  waiting_.resize(slots);
-  first_ = last_ = tiles_left_ = 0;
-  output_ = free_ = 0;
-  word_offered_ = false;
+  inside_.resize(slots);
+  entered_ = left_tile_ = came_ = looked_up_ = left_word_ = 0;
+  tile_reads_left_ = word_reads_left_ = 0;
+  output_ = 0;
+  offered_ = kNothing;
+  free_ = 0;
   waits_.clear();
 }
 
@@ -31,9 +33,8 @@ void EarlyDecision::look_up(Cycle entered, std::uint32_t slot,
   const std::uint32_t tile = (trail.y >> 3) << (map_bits_ - 3) | trail.x >> 3;
   const bool reads = tiles.has_to_read(tile);
   const std::uint64_t number = tiles.reads();
-  while (reads && tiles_left_ + SharedReads::kWords <= number) {
-    if (word_offered_) read_word();
-    move_on();
+  while (reads && tile_reads_left_ + SharedReads::kWords <= number) {
+    if (!leave_tile() && !come_for_word() && !look_up_word() && !leave_word()) read_word();
   }
   Stay& stay = stays_[slot].tile;
   stay.looked_up = tiles.look_up(entered, reads);
@@ -45,50 +46,80 @@ void EarlyDecision::look_up(Cycle entered, std::uint32_t slot,
     tiles.read_taken(stay.read.accepted);
   }
   const std::uint32_t word = trail.tile_slot << 4 | (trail.y & 7) << 1 | (trail.x >> 2 & 1);
-  waiting_[last_++ % waiting_.size()] = {slot, word, trail.reads_texel, !trail.records.empty(),
-                                         number};
+  inside(entered_++) = {slot, word, trail.reads_texel, !trail.records.empty(), number, kNothing, 0, 0};
 }
 
-/// The next fragment goes from its tile to its word, as far as it needs no read there.
 void EarlyDecision::move_on() {
-  const Waiting& next = waiting_[first_++ % waiting_.size()];
+  while (leave_tile() || come_for_word() || look_up_word() || leave_word()) {
+  }
+}
+
+// Each of these lets the next fragment take a step, if it is known when.
+
+/// To the tiles' output, which is free once the one before has come for its word.
+bool EarlyDecision::leave_tile() {
+  if (left_tile_ == entered_ || left_tile_ != came_) return false;
+  Inside& next = inside(left_tile_++);
   const Stay& tile = stays_[next.slot].tile;
+  if (tile.read.responded == 0) {
+    next.left_tile = tiles.leave(tile.looked_up, output_);
+  } else {
+    next.left_tile = tiles.leave(tile.looked_up, output_, next.tile_number, tile.read.responded);
+    ++tile_reads_left_;
+  }
+  return true;
+}
+
+bool EarlyDecision::come_for_word() {
+  if (came_ == left_tile_ || came_ != looked_up_) return false;
+  Inside& next = inside(came_++);
+  next.came = output_ = std::max(next.left_tile + 1, texel_words.open());
+  if (next.needs_word && texel_words.has_to_read(next.word)) {
+    next.word_number = texel_words.reads();
+  }
+  return true;
+}
+
+/// A read waits for its turn to be offered.
+bool EarlyDecision::look_up_word() {
+  if (looked_up_ == came_) return false;
+  Inside& next = inside(looked_up_);
+  const bool reads = next.word_number != kNothing;
+  if (reads && (offered_ != kNothing ||
+                word_reads_left_ + SharedReads::kWords <= next.word_number)) {
+    return false;
+  }
+  if (reads) offered_ = looked_up_;
+  ++looked_up_;
+  stays_[next.slot].word = {texel_words.look_up(next.came, reads), {0, 0}};
+  return true;
+}
+
+bool EarlyDecision::leave_word() {
+  if (left_word_ == looked_up_ || left_word_ == offered_) return false;
+  const Inside& next = inside(left_word_++);
+  const Stay& word = stays_[next.slot].word;
   Cycle left;
-  if (tile.read.responded != 0) {
-    left = tiles.leave(tile.looked_up, output_, next.tile_number, tile.read.responded);
-    ++tiles_left_;
+  if (next.word_number == kNothing) {
+    left = texel_words.leave(word.looked_up, 0);
   } else {
-    left = tiles.leave(tile.looked_up, output_);
+    left = texel_words.leave(word.looked_up, 0, next.word_number, word.read.responded);
+    ++word_reads_left_;
   }
-  const Cycle came = std::max(left + 1, texel_words.open());
-  output_ = came;
-  const bool reads = next.reads_word && texel_words.has_to_read(next.word);
-  const std::uint64_t number = texel_words.reads();
-  const Stay stay{texel_words.look_up(came, reads), {0, 0}};
-  stays_[next.slot].word = stay;
-  if (reads) {
-    word_ = {next.slot, next.word, next.has_list, number, stay};
-    word_offered_ = true;
+  if (next.has_list) {
+    lists_.look_up(left + 2, next.slot);
   } else {
-    finish(next.slot, next.has_list, texel_words.leave(stay.looked_up, 0));
+    slots_.decide(next.slot, left + 4);
   }
+  return true;
 }
 
 void EarlyDecision::read_word() {
-  word_offered_ = false;
-  word_.stay.read = read(word_.stay.looked_up + 1, word_.address);
-  stays_[word_.slot].word = word_.stay;
-  texel_words.read_taken(word_.stay.read.accepted);
-  finish(word_.slot, word_.has_list,
-         texel_words.leave(word_.stay.looked_up, 0, word_.number, word_.stay.read.responded));
-}
-
-void EarlyDecision::finish(std::uint32_t slot, bool has_list, Cycle left) {
-  if (has_list) {
-    lists_.look_up(left + 2, slot);
-  } else {
-    slots_.decide(slot, left + 4);
-  }
+  const Inside& next = inside(offered_);
+  offered_ = kNothing;
+  Stay& word = stays_[next.slot].word;
+  word.read = read(word.looked_up + 1, next.word);
+  texel_words.read_taken(word.read.accepted);
 }
 
 MemoryPort::Read EarlyDecision::read(Cycle offered, std::uint64_t address) {

@@ -6,8 +6,9 @@
 ///         left. Reads of both share the port: words go first, but whose turn it is is settled when
 ///         one of them has something to offer. A list is known two cycles after its word left, a
 ///         verdict four.
-/// Order:  tiles are looked up as fragments enter; words only as far as somebody asks. A word is
-///         served once no tile can come before it: whoever enters later reads later.
+/// Order:  tiles are looked up as fragments enter; from there on they move as far as they can without
+///         another read of a word. That is served once no tile can come before it: whoever enters
+///         later reads later.
 #include <cstdint>
 #include <deque>
 #include <systemc>
@@ -44,8 +45,8 @@ class EarlyDecision : public sc_core::sc_module {
   void look_up(Cycle entered, std::uint32_t slot, const unit::winding::FragmentTrail& trail);
   /// When the next read of a word is offered; kNever if no fragment here has one to do.
   Cycle next_word() {
-    while (!word_offered_ && first_ != last_) move_on();
-    return word_offered_ ? word_.stay.looked_up + 1 : kNever;
+    move_on();
+    return offered_ == kNothing ? kNever : stays_[inside(offered_).slot].word.looked_up + 1;
   }
   /// It is read, and its fragment decided on. @pre no tile's read comes before
   void read_word();
@@ -61,37 +62,38 @@ class EarlyDecision : public sc_core::sc_module {
   }
 
  private:
-  struct Waiting {  // between tile and word
+  struct Inside {  // a fragment from its tile's look-up to its verdict
     std::uint32_t slot, word;
-    bool reads_word, has_list;
-    std::uint64_t tile_number;  // of its read
-  };
-  struct Word {
-    std::uint32_t slot, address;
-    bool has_list;
-    std::uint64_t number;
-    Stay stay;
+    bool needs_word, has_list;
+    std::uint64_t tile_number, word_number;  // of its reads
+    Cycle left_tile, came;                   // came for its word
   };
   struct Wait {
     Cycle begin, end;
   };
 
+  static constexpr std::uint64_t kNothing = ~std::uint64_t{0};
+
+  Inside& inside(std::uint64_t number) { return inside_[number % inside_.size()]; }
   void move_on();
-  void finish(std::uint32_t slot, bool has_list, Cycle left);
+  bool leave_tile();
+  bool come_for_word();
+  bool look_up_word();
+  bool leave_word();
   MemoryPort::Read read(Cycle offered, std::uint64_t address);
 
   LaneSlots& slots_;
   ListReader& lists_;
   unsigned map_bits_ = 10;
   std::vector<Stays> stays_;       // a slot each
-  std::vector<Waiting> waiting_;   // a ring
-  std::uint64_t first_ = 0, last_ = 0;
-  std::uint64_t tiles_left_ = 0;   // reads of tiles whose fragment has moved on
-  Cycle output_ = 0;               // from when on the tiles' output is free
-  bool word_offered_ = false;
-  Word word_{};
-  Cycle free_ = 0;                 // the port, for the next read
-  std::deque<Wait> waits_;         // of reads for the port
+  std::vector<Inside> inside_;     // a ring
+  // How many fragments have come so far; none of these is more than the one before.
+  std::uint64_t entered_ = 0, left_tile_ = 0, came_ = 0, looked_up_ = 0, left_word_ = 0;
+  std::uint64_t tile_reads_left_ = 0, word_reads_left_ = 0;
+  Cycle output_ = 0;  // from when on the tiles' output is free
+  std::uint64_t offered_ = kNothing;  // the fragment whose word is to be read next
+  Cycle free_ = 0;         // the port, for the next read
+  std::deque<Wait> waits_;  // of reads for the port
 };
 
 }  // namespace kagesen::tlm_model::winding

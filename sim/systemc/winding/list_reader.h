@@ -74,7 +74,8 @@ class ListReader : public sc_core::sc_module {
     TimeQueue& queue = head(next_) <= request() ? next_ : lists_;
     const std::uint32_t slot = queue.front().slot;
     Walk& walk = walks_[slot];
-    const MemoryPort::Read read = port.read(request(), 0);
+    const std::uint32_t address = walk.trail.records[walk.records.size()].address;
+    const MemoryPort::Read read = port.read(request(), address);
     queue.pop();
     free_ = read.accepted + 1;
     walk.records.push_back({read, kNever});
@@ -86,7 +87,7 @@ class ListReader : public sc_core::sc_module {
     Walk& walk = walks_[slot];
     const std::size_t number = walk.records.size();
     Record& record = walk.records.back();
-    record.answered = decision.answer(record.read.responded, walk.trail.records[number - 1]);
+    record.answered = decision.answer(record.read.responded, walk.trail.records[number - 1].boxed);
     if (number == walk.trail.records.size()) {
       slots_.decide(slot, record.answered);
     } else {
