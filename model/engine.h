@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/fragment_cycles.h"
 #include "model/unit/config.h"
 #include "traces/format/records.h"
 
@@ -133,6 +134,11 @@ struct PassCycles {
     return 0;
   }
 };
+/// What the lanes read of their memories, whole words.
+struct MemoryTraffic {
+  std::uint64_t texel_reads = 0, texel_bytes = 0;
+  std::uint64_t slb_reads = 0, slb_bytes = 0;
+};
 /// Of an engine that has a clock; what it does not time is absent. Pass 2's causes are those of the
 /// first lane.
 struct CycleReport {
@@ -140,6 +146,7 @@ struct CycleReport {
   std::optional<std::uint64_t> announce, settle;  ///< winding profile: receiver mask; end of pass 1
   std::optional<PassCycles> pass1, pass2;
   std::uint64_t edge_texels = 0, span_texels = 0;  ///< of pass 1
+  std::optional<MemoryTraffic> traffic;            ///< of pass 2
 
   /// Of everything that was timed.
   std::uint64_t total() const {
@@ -172,6 +179,11 @@ class Engine {
   virtual UnitCounters counters() const = 0;
   /// Of the frame so far; nothing where there is no clock.
   virtual std::optional<CycleReport> cycles() const { return std::nullopt; }
+  /// Of each fragment since begin(), pass 2's first cycle being 0; empty where they are not kept.
+  virtual const std::vector<FragmentCycles>& fragment_cycles() const {
+    static const std::vector<FragmentCycles> none;
+    return none;
+  }
 };
 
 std::unique_ptr<Engine> make_golden_engine();

@@ -20,6 +20,7 @@ void add_mutate(CLI::App& app);
 void add_prove(CLI::App& app);
 void add_coverage(CLI::App& app);
 void add_rtl(CLI::App& app);
+void add_explain(CLI::App& app);
 void add_check(CLI::App& app);
 void add_soak(CLI::App& app);
 

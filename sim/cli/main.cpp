@@ -85,6 +85,7 @@ int run_program(int argc, char** argv) {
   add_prove(app);
   add_coverage(app);
   add_rtl(app);
+  add_explain(app);
   add_check(app);
   add_soak(app);
   try {

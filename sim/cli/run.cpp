@@ -2,9 +2,12 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "sim/cli/commands.h"
 #include "sim/cli/input.h"
+#include "sim/cli/parse.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/simulate.h"
 #include "sim/cli/stopwatch.h"
@@ -12,7 +15,9 @@
 #include "sim/report/outputs.h"
 #include "sim/report/pictures.h"
 #include "sim/report/table.h"
+#include "sim/report/timeline_json.h"
 #include "sim/report/verdicts.h"
+#include "sim/systemc/engine.h"
 #include "traces/format/error.h"
 
 namespace kagesen {
@@ -22,7 +27,7 @@ struct RunOptions {
   InputOptions input;
   SettingsOptions settings;
   SimulateOptions simulate;
-  std::string folder = "out", json, verdicts;
+  std::string folder = "out", json, verdicts, timeline, window = "0-20000";
   bool no_reference = false, no_images = false, scene_exact = false;
 };
 
@@ -43,6 +48,28 @@ SceneExact check_scene(const Scene& scene, const LightSpace& light_space, const 
   return exact;
 }
 
+/// Nothing without --timeline.
+std::optional<Timeline> window_of(const RunOptions& options) {
+  if (options.timeline.empty()) return std::nullopt;
+  if (options.simulate.engine != "systemc") {
+    throw UserError("--timeline", "only systemc has one", "add --engine systemc");
+  }
+  const std::size_t dash = options.window.find('-', 1);
+  const double first = parse_number("--timeline-cycles", options.window.substr(0, dash), 0, 1e15);
+  const double last = dash == std::string::npos
+                          ? first
+                          : parse_number("--timeline-cycles", options.window.substr(dash + 1), first, 1e15);
+  return Timeline(static_cast<Cycle>(first), static_cast<Cycle>(last));
+}
+
+void add_fragments(const std::vector<FragmentCycles>& cycles, Timeline& timeline) {
+  const std::uint32_t track = timeline.add_track("fragments");
+  timeline.set_base(0);
+  for (std::size_t i = 0; i < cycles.size(); ++i) {
+    timeline.add(track, "fragment", i, cycles[i].accepted, cycles[i].retired);
+  }
+}
+
 void run(RunOptions& options) {
   const bool json_to_stdout = options.json == "-";
   Progress progress(!json_to_stdout);
@@ -51,6 +78,13 @@ void run(RunOptions& options) {
   options.simulate.progress = progress.callback();
   Settings settings = load_settings(options.settings);
   make_engine(options.simulate.engine);  // refuses an unknown one before any work
+  std::optional<Timeline> timeline = window_of(options);
+  if (timeline) {
+    // The first engine's; a second one runs for the judgement alone.
+    options.simulate.make = [to = &*timeline](const std::string&) mutable {
+      return make_systemc_engine({{}, true, std::exchange(to, nullptr)});
+    };
+  }
 
   // Every place is opened before the work, so that a bad one costs no time.
   Outputs outputs;
@@ -65,6 +99,9 @@ void run(RunOptions& options) {
       options.json.empty() || json_to_stdout ? nullptr : &outputs.open(options.json, "--json");
   std::ostream* verdicts =
       options.verdicts.empty() ? nullptr : &outputs.open(options.verdicts, "--verdicts");
+
+  std::ostream* timeline_file =
+      timeline ? &outputs.open(options.timeline, "--timeline") : nullptr;
 
   Stopwatch watch;
   const Source source = resolve_input(options.input);
@@ -94,6 +131,10 @@ void run(RunOptions& options) {
   if (verdicts) {
     write_verdicts(trace, result, *verdicts);
     result.stages_s.emplace_back("verdicts", watch.lap());
+  }
+  if (timeline) {
+    add_fragments(result.fragment_cycles, *timeline);
+    *timeline_file << timeline_json(*timeline);
   }
   const std::string text = report_json(trace, result).dump(2) + "\n";
   report << text;
@@ -125,6 +166,13 @@ void add_run(CLI::App& app) {
       ->group("Output");
   command.add_option("--verdicts", options->verdicts, "A line for every fragment, as text")
       ->type_name("FILE")
+      ->group("Output");
+  command.add_option("--timeline", options->timeline, "What pass 2 did when, for Perfetto; with --engine systemc")
+      ->type_name("FILE")
+      ->group("Output");
+  command.add_option("--timeline-cycles", options->window, "Of which cycles")
+      ->type_name("A-B")
+      ->capture_default_str()
       ->group("Output");
   command.add_flag("--no-images", options->no_images, "No pictures")->group("Output");
   command

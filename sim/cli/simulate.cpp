@@ -95,8 +95,8 @@ struct Passes {
 
 std::unique_ptr<Engine> make_engine(const std::string& name) {
   if (name == "golden") return make_golden_engine();
-  if (name == "systemc") return make_systemc_engine();
-  if (name == "rtl") return make_rtl_engine();
+  if (name == "systemc") return make_systemc_engine({{}, true});
+  if (name == "rtl") return make_rtl_engine({BuildKind::kFast, {}, true});
   throw UserError("--engine", fmt::format("there is no '{}'", name),
                   suggestion(name, {"golden", "systemc", "rtl"}));
 }
@@ -122,6 +122,7 @@ RunResult simulate(const Trace& trace, const UnitConfig& config, const SimulateO
   result.counters = engine->counters();
   result.counters.aliased_objects = aliased_objects;
   result.cycles = engine->cycles();
+  result.fragment_cycles = engine->fragment_cycles();
   add_warnings(trace, result);
   result.stages_s.emplace_back("contents", watch.lap());
 

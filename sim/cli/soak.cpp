@@ -152,7 +152,7 @@ void soak_once(const SoakArguments& arguments, std::uint64_t seed) {
   if (result.first) {
     const std::string& kind = result.first->kind;
     for (const std::string& line : result.first->lines) std::cout << "  " << line << "\n";
-    if (kind != "counter" && kind != "repeat") {
+    if (kind != "counter" && kind != "repeat" && kind != "cycles") {
       const std::string path = fmt::format("{}/case-{}.fst", arguments.folder, number);
       for (const std::string& line : runner.wave(round, *result.first, path)) {
         std::cout << "  " << line << "\n";

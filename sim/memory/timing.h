@@ -30,14 +30,6 @@ struct Timing {
   std::uint64_t seed = 1;
 };
 
-/// When a fragment entered its lane, and when its verdict was taken.
-struct FragmentCycles {
-  Cycle accepted = 0, retired = 0;
-  bool operator==(const FragmentCycles& o) const {
-    return accepted == o.accepted && retired == o.retired;
-  }
-};
-
 /// What the unit and its bench exchange; each lane has its own.
 enum class Channel : std::uint8_t {
   kTriangles,
@@ -127,6 +119,8 @@ class ReadTiming {
     std::fill(due_.begin(), due_.end(), 0);
   }
 
+  /// A read's time does not depend on its address.
+  static bool simple_banks(const Timing& t) { return t.bank_busy == 1 && t.row_miss == 0; }
   /// Every read is taken at once and takes timing().latency cycles.
   bool constant() const { return constant_; }
   const Timing& timing() const { return timing_; }
@@ -162,8 +156,6 @@ class ReadTiming {
     Cycle free = 0;
     std::uint64_t row = ~std::uint64_t{0};
   };
-
-  static bool simple_banks(const Timing& t) { return t.bank_busy == 1 && t.row_miss == 0; }
 
   /// Responses up to `now` are not under way any more.
   void forget(Cycle now) {

@@ -1,5 +1,7 @@
 #include "sim/report/json.h"
 
+#include "sim/report/fragment_figures.h"
+
 namespace kagesen {
 namespace {
 
@@ -139,7 +141,33 @@ Json pass_json(const PassCycles& pass) {
           {"causes", causes}};
 }
 
-Json cycles_json(const CycleReport& cycles) {
+Json fragment_json(const FragmentFigures& f) {
+  return {{"mean", f.mean},
+          {"p50", f.p50},
+          {"p99", f.p99},
+          {"most", f.most},
+          {"worst_tile",
+           {{"x", f.tile_x},
+            {"y", f.tile_y},
+            {"pixels", FragmentFigures::kTile},
+            {"mean", f.tile_mean},
+            {"fragments", f.tile_fragments}}},
+          {"latency_mean", f.latency_mean},
+          {"latency_most", f.latency_most},
+          {"in_flight", f.in_flight}};
+}
+
+Json traffic_json(const MemoryTraffic& t, std::uint64_t fragments) {
+  return {{"texel_reads", t.texel_reads},
+          {"texel_bytes", t.texel_bytes},
+          {"slb_reads", t.slb_reads},
+          {"slb_bytes", t.slb_bytes},
+          {"bytes_a_fragment",
+           fragments ? double(t.texel_bytes + t.slb_bytes) / double(fragments) : 0}};
+}
+
+Json cycles_json(const Trace& trace, const RunResult& result) {
+  const CycleReport& cycles = *result.cycles;
   Json json = Json::object();
   if (cycles.clear) json["clear"] = *cycles.clear;
   if (cycles.announce) json["announce"] = *cycles.announce;
@@ -151,7 +179,14 @@ Json cycles_json(const CycleReport& cycles) {
     pass1["per_span_texel"] = cycles.per_span_texel();
   }
   if (cycles.settle) json["settle"] = *cycles.settle;
-  if (cycles.pass2) json["pass2"] = pass_json(*cycles.pass2);
+  if (cycles.pass2) {
+    Json& pass2 = json["pass2"] = pass_json(*cycles.pass2);
+    if (!result.fragment_cycles.empty()) {
+      pass2["fragment"] =
+          fragment_json(fragment_figures(trace, result.fragment_cycles, cycles.pass2->total));
+    }
+    if (cycles.traffic) pass2["traffic"] = traffic_json(*cycles.traffic, cycles.pass2->items);
+  }
   return json;
 }
 
@@ -189,7 +224,7 @@ nlohmann::ordered_json report_json(const Trace& trace, const RunResult& result) 
                  {"bytes", result.counters.map_bytes}};
   json["counters"] = counters_json(result.counters);
   if (result.config.profile == Profile::kWinding) json["skips"] = skips_json(result.counters.skips);
-  if (result.cycles) json["cycles"] = cycles_json(*result.cycles);
+  if (result.cycles) json["cycles"] = cycles_json(trace, result);
   json["warnings"] = result.warnings;
   json["time_s"] = result.time_s();
   Json stages = Json::object();

@@ -21,16 +21,19 @@ Canvas error_picture(const Trace& trace, const RunResult& result, bool legend = 
 /// enlarged.
 Canvas lines_picture(const RunResult& result);
 
+/// Cycles of pass 2 that each pixel cost, and below it the scale. @pre the engine kept cycles
+Canvas cycle_picture(const Trace& trace, const RunResult& result);
+
 /// Multi-channel EXR of the frame; -1 where the camera sees nothing.
 std::string frame_exr(const Trace& trace, const RunResult& result);
 /// Multi-channel EXR of the map; -1 where nothing was written. `lines` and `entries` are segments
 /// and clusters in the winding profile.
 std::string map_exr(const RunResult& result);
 
-inline constexpr const char* kPictureNames[] = {"shaded.png", "mask.png",  "errors.png",
-                                                "lines.png",  "frame.exr", "map.exr"};
+inline constexpr const char* kPictureNames[] = {"shaded.png", "mask.png",  "errors.png", "lines.png",
+                                                "cycles.png", "frame.exr", "map.exr"};
 /// All of them in `folder`, under kPictureNames; their role among the outputs is "--out".
-/// A run without the reference has no errors.png, a trace without an image nothing of the frame.
+/// A run without the reference has no errors.png, one without fragments' cycles no cycles.png, a trace without an image nothing of the frame.
 void write_pictures(const Trace& trace, const RunResult& result, const std::string& folder,
                     Outputs& outputs);
 

@@ -28,6 +28,7 @@ struct RunResult {
   MapContents contents;
   UnitCounters counters;
   std::optional<CycleReport> cycles;                     ///< absent where the engine has no clock
+  std::vector<FragmentCycles> fragment_cycles;           ///< of pass 2; empty where not kept
   std::optional<Judgement> judgement;                    ///< absent without the reference
   std::optional<SceneExact> scene_exact;                 ///< absent unless asked for
   std::vector<std::string> warnings;                     ///< the trace's own, then the unit's

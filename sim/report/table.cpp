@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/report/fragment_figures.h"
 #include "sim/report/rows.h"
 
 namespace kagesen {
@@ -124,7 +125,18 @@ std::string pass_text(const PassCycles& pass, const char* item) {
   return text;
 }
 
-void cycle_rows(Rows& rows, const CycleReport& cycles) {
+void fragment_rows(Rows& rows, const Trace& trace, const RunResult& result) {
+  const FragmentFigures f =
+      fragment_figures(trace, result.fragment_cycles, result.cycles->pass2->total);
+  rows.add("cycles a fragment", fmt::format("p50 {}, p99 {}, most {}", f.p50, f.p99, f.most));
+  rows.add("worst tile", fmt::format("{:.2f} a fragment, {} x {} pixels from ({}, {})", f.tile_mean,
+                                     f.kTile, f.kTile, f.tile_x, f.tile_y));
+  rows.add("in flight", fmt::format("{:.1f} fragments, {:.1f} cycles each, at most {}", f.in_flight,
+                                    f.latency_mean, grouped(f.latency_most)));
+}
+
+void cycle_rows(Rows& rows, const Trace& trace, const RunResult& result) {
+  const CycleReport& cycles = *result.cycles;
   rows.heading("Clock cycles");
   if (cycles.clear) rows.add("clear", grouped(*cycles.clear));
   if (cycles.announce.value_or(0) > 0) rows.add("announce", grouped(*cycles.announce));
@@ -134,7 +146,16 @@ void cycle_rows(Rows& rows, const CycleReport& cycles) {
                              cycles.per_span_texel()));
   }
   if (cycles.settle.value_or(0) > 0) rows.add("settle", grouped(*cycles.settle));
-  if (cycles.pass2) rows.add("pass 2", pass_text(*cycles.pass2, "fragment"));
+  if (!cycles.pass2) return;
+  rows.add("pass 2", pass_text(*cycles.pass2, "fragment"));
+  if (!result.fragment_cycles.empty()) fragment_rows(rows, trace, result);
+  if (const auto& t = cycles.traffic; t && cycles.pass2->items > 0) {
+    const auto a_fragment = [&](std::uint64_t n) { return double(n) / double(cycles.pass2->items); };
+    rows.add("memory reads",
+             fmt::format("{:.3f} texel words and {:.3f} SLB records a fragment, {:.1f} bytes",
+                         a_fragment(t->texel_reads), a_fragment(t->slb_reads),
+                         a_fragment(t->texel_bytes + t->slb_bytes)));
+  }
 }
 
 std::string engine_text(const RunResult& result) {
@@ -217,7 +238,7 @@ std::string report_table(const Trace& trace, const RunResult& result,
   if (winding) skip_rows(rows, result);
   if (result.scene_exact) scene_exact_rows(rows, *result.scene_exact);
 
-  if (result.cycles) cycle_rows(rows, *result.cycles);
+  if (result.cycles) cycle_rows(rows, trace, result);
 
   rows.heading("Time");
   for (const auto& [name, seconds] : result.stages_s) {

@@ -27,6 +27,9 @@ void write_pictures(const Trace& trace, const RunResult& result, const std::stri
     }
   }
   pictures.push_back({"lines.png", [&] { return encode_png(lines_picture(result)); }});
+  if (width > 0 && height > 0 && !result.fragment_cycles.empty()) {
+    pictures.push_back({"cycles.png", [&] { return encode_png(cycle_picture(trace, result)); }});
+  }
   if (width > 0 && height > 0) {
     pictures.push_back({"frame.exr", [&] { return frame_exr(trace, result); }});
   }

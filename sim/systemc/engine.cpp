@@ -45,6 +45,7 @@ void SystemcEngine::begin(const UnitConfig& config, const FrameSetup& setup) {
     unit_ = make_unit(config.profile, config.lanes);
     profile_ = config.profile;
     lanes_ = config.lanes;
+    unit_->trace(options_.timeline);
   }
   fragment_cycles_.clear();
   unit_->begin(config, setup, options_.timing.value_or(configured_timing(config)));
@@ -62,7 +63,16 @@ void SystemcEngine::decide(const Fragment* fragments, std::size_t count, Verdict
     fragment_cycles_.resize(before + count);
     cycles = fragment_cycles_.data() + before;
   }
+  const std::optional<PassCycles> before = unit_->cycles().pass2;
   unit_->decide(fragments, count, verdicts, cycles);
+  if (!unit_->cycles().pass2) {
+    fragment_cycles_.clear();
+    return;
+  }
+  for (std::size_t i = 0; cycles && i < count; ++i) {
+    cycles[i].accepted += before->total;
+    cycles[i].retired += before->total;
+  }
 }
 
 MapContents SystemcEngine::contents() const { return unit_->golden().contents(); }

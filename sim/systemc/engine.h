@@ -7,6 +7,7 @@
 
 #include "model/engine.h"
 #include "sim/memory/timing.h"
+#include "sim/systemc/common/timeline.h"
 
 namespace kagesen {
 
@@ -18,6 +19,7 @@ struct SystemcOptions {
   /// How memories and streams behave; empty: as the configuration says.
   std::optional<Timing> timing;
   bool keep_cycles = false;  ///< of every fragment
+  Timeline* timeline = nullptr;  ///< takes what pass 2 does
 };
 
 /// The modules are made when a frame needs them. The kernel never runs: time is what transactions
@@ -35,12 +37,11 @@ class SystemcEngine : public Engine {
   MapContents contents() const override;
   UnitCounters counters() const override;
   std::optional<CycleReport> cycles() const override;
+  /// Empty where pass 2 is not timed, too.
+  const std::vector<FragmentCycles>& fragment_cycles() const override { return fragment_cycles_; }
 
   /// For frames to come.
   void set_timing(const Timing& timing) { options_.timing = timing; }
-  /// With keep_cycles: each fragment's since begin(), from the first cycle of its own decide().
-  const std::vector<FragmentCycles>& fragment_cycles() const { return fragment_cycles_; }
-
  private:
   void release();
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "model/fragment_cycles.h"
 #include "sim/memory/timing.h"
 
 namespace kagesen::bench {

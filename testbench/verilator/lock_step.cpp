@@ -221,7 +221,8 @@ std::vector<std::string> write_wave(const Frame& frame, const Expected& expected
         if (verdicts[first.fragment] == expected.verdicts[first.fragment]) {
           lines.push_back("the verdict is right when the frame runs alone");
         }
-        return bench.pass_began() + engine.fragment_cycles()[first.fragment].retired - start;
+        return bench.pass_began() + engine.fragment_cycles()[first.fragment].retired -
+               engine.decided_before() - start;
       }
     } catch (const bench::Failure& failure) {
       lines.push_back(failure.what());

@@ -42,12 +42,15 @@ struct FirstDifference {
 struct LockStepResult {
   std::uint64_t fragments = 0;
   std::uint64_t verdict_differences = 0, buffer_differences = 0, counter_differences = 0;
+  std::uint64_t cycle_differences = 0;  ///< from the SystemC model; lock_step() does not look
   std::uint64_t failures = 0;  ///< an assertion, or no progress
   std::vector<std::uint32_t> wrong_fragments;
   std::optional<CycleReport> cycles;
   std::optional<FirstDifference> first;
   bool equal() const {
-    return verdict_differences + buffer_differences + counter_differences + failures == 0;
+    return verdict_differences + buffer_differences + counter_differences + cycle_differences +
+               failures ==
+           0;
   }
 };
 

@@ -138,6 +138,7 @@ Round draw_round(const RoundPlan& plan, std::uint64_t seed, std::uint64_t number
 RoundRunner::RoundRunner(BuildKind kind) {
   RtlOptions options;
   options.kind = kind;
+  options.keep_cycles = true;
   engine_ = std::make_unique<RtlEngine>(options);
 }
 
@@ -157,6 +158,7 @@ LockStepResult RoundRunner::run(const Round& round) {
     if (result.cycles) cycles_ = result.cycles;
     if (result.failures == 0) {
       check_registers(result);
+      check_model(round, frame, result);
       decide_again(round, result);
     }
   } catch (const bench::Failure& failure) {
@@ -169,6 +171,18 @@ LockStepResult RoundRunner::run(const Round& round) {
   }
   if (result.failures > 0) engine_->bench().reset();
   return result;
+}
+
+/// SystemC gives golden's verdicts in the Verilog's cycles.
+void RoundRunner::check_model(const Round& round, const Frame& frame, LockStepResult& result) {
+  model_.set_timing(round.timing);
+  const CycleCheck check = check_cycles(frame, expected_, *engine_, model_);
+  result.verdict_differences += check.verdict_differences;
+  result.cycle_differences += check.cycle_differences;
+  if (check.first.empty() || result.first) return;
+  result.first.emplace();
+  result.first->kind = "cycles";
+  result.first->lines = check.first;
 }
 
 /// What a driver reads after pass 2 is what the bench saw.
@@ -223,7 +237,8 @@ std::vector<std::string> RoundRunner::wave(const Round& round, const FirstDiffer
 }
 
 std::uint64_t differences(const LockStepResult& r) {
-  return r.verdict_differences + r.buffer_differences + r.counter_differences + r.failures;
+  return r.verdict_differences + r.buffer_differences + r.counter_differences +
+         r.cycle_differences + r.failures;
 }
 
 }  // namespace kagesen

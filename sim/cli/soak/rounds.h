@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/cli/cycle_check.h"
 #include "sim/cli/lock_step_check.h"
 #include "testbench/verilator/lock_step.h"
 
@@ -50,8 +51,10 @@ class RoundRunner {
  private:
   void decide_again(const Round& round, LockStepResult& result);
   void check_registers(LockStepResult& result);
+  void check_model(const Round& round, const Frame& frame, LockStepResult& result);
 
   std::unique_ptr<RtlEngine> engine_;
+  SystemcEngine model_{{{}, true}};
   std::optional<CycleReport> cycles_;  // of the frame before: where cuts may fall
   Expected expected_;
 };

@@ -11,6 +11,7 @@
 
 #include "model/cycle_causes.h"
 #include "model/engine.h"
+#include "sim/systemc/common/memory_port.h"
 #include "sim/systemc/memory/memory.h"
 
 namespace kagesen::tlm_model {
@@ -32,6 +33,16 @@ class Lanes {
     }
     passes_ = 0;
     total_ = fragments_ = 0;
+    traffic_ = {};
+  }
+
+  /// @param timeline  takes what the lanes do; or null
+  void trace(Timeline* timeline) {
+    for (auto& l : lanes_) {
+      l->lane.texel_port().trace(timeline);
+      l->lane.slb_port().trace(timeline);
+    }
+    timeline_ = timeline;
   }
 
   /// @param pass    what all lanes have in common
@@ -40,6 +51,7 @@ class Lanes {
   void run(typename ShadowLane::Pass pass, const Fragment* fragments, std::size_t count,
            Verdict* verdicts, FragmentCycles* cycles, Decide decide) {
     const PassNumber number{kDecide, passes_++};
+    if (timeline_) timeline_->set_base(total_);
     pass.stride = lanes_.size();
     for (unsigned l = 0; l < lanes_.size(); ++l) begin_pass(l, pass, number, cycles);
     std::size_t turn = 0;
@@ -59,6 +71,13 @@ class Lanes {
     for (auto& l : lanes_) l->lane.end_pass(taken, total);
     total_ += total;
     fragments_ += count;
+    for (auto& l : lanes_) {
+      const MemoryPort &texels = l->lane.texel_port(), &slb = l->lane.slb_port();
+      traffic_.texel_reads += texels.reads();
+      traffic_.texel_bytes += texels.reads() * texels.word_bytes();
+      traffic_.slb_reads += slb.reads();
+      traffic_.slb_bytes += slb.reads() * slb.word_bytes();
+    }
   }
 
   /// Of the frame's passes; causes of the first lane.
@@ -70,6 +89,8 @@ class Lanes {
     for (std::size_t c = 0; c < causes.size(); ++c) out.causes.emplace_back(kLaneCauses[c], causes[c]);
     return out;
   }
+
+  const MemoryTraffic& traffic() const { return traffic_; }
 
  private:
   static constexpr std::uint32_t kDecide = 5;  // shadow_pkg::PassDecide
@@ -105,6 +126,8 @@ class Lanes {
   Timing timing_;
   std::uint32_t passes_ = 0;  // of this frame
   std::uint64_t total_ = 0, fragments_ = 0;
+  MemoryTraffic traffic_;
+  Timeline* timeline_ = nullptr;
 };
 
 }  // namespace kagesen::tlm_model

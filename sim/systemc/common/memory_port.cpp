@@ -16,6 +16,7 @@ void MemoryPort::begin_pass(unsigned word_bytes) {
   word_bytes_ = word_bytes;
   data_.resize(word_bytes);
   latency_ = 0;
+  reads_ = 0;
   payload_.set_command(tlm::TLM_READ_COMMAND);
   payload_.set_address(0);
   tlm::tlm_dmi direct;
@@ -43,6 +44,11 @@ MemoryPort::Read MemoryPort::transport(Cycle asked, std::uint64_t word) {
     throw std::runtime_error(std::string(name()) + ": " + payload_.get_response_string());
   }
   return {now + cycles_of(accepted_.delay), now + cycles_of(delay)};
+}
+
+void MemoryPort::note(Cycle asked, std::uint64_t word, const Read& read) {
+  if (read.accepted > asked) timeline_->add(track_, "waits", word, asked, read.accepted);
+  timeline_->add(track_, "read", word, read.accepted, read.responded);
 }
 
 }  // namespace kagesen::tlm_model

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim/systemc/common/clock.h"
+#include "sim/systemc/common/timeline.h"
 
 namespace kagesen::tlm_model {
 
@@ -39,14 +40,21 @@ class MemoryPort : public sc_core::sc_module {
   /// A request that is offered from `asked` on. Calls come in the order of time.
   Read read(Cycle asked, std::uint64_t word) {
     ++reads_;
-    if (latency_ != 0) return {asked, asked + latency_};
-    return transport(asked, word);
+    const Read read = latency_ != 0 ? Read{asked, asked + latency_} : transport(asked, word);
+    if (timeline_ != nullptr) note(asked, word, read);
+    return read;
   }
-  std::uint64_t reads() const { return reads_; }
+  /// @param timeline  takes every read; or null
+  void trace(Timeline* timeline) {
+    timeline_ = timeline;
+    if (timeline != nullptr) track_ = timeline->add_track(name());
+  }
+  std::uint64_t reads() const { return reads_; }  ///< of this pass
   unsigned word_bytes() const { return word_bytes_; }
 
  private:
   Read transport(Cycle asked, std::uint64_t word);
+  void note(Cycle asked, std::uint64_t word, const Read& read);
   void invalidate(sc_dt::uint64 first, sc_dt::uint64 last);
 
   tlm::tlm_generic_payload payload_;
@@ -55,6 +63,8 @@ class MemoryPort : public sc_core::sc_module {
   Cycle latency_ = 0;  // of every read; 0: the memory has to be asked
   std::uint64_t reads_ = 0;
   unsigned word_bytes_ = 4;
+  Timeline* timeline_ = nullptr;
+  std::uint32_t track_ = 0;
 };
 
 }  // namespace kagesen::tlm_model

@@ -9,6 +9,7 @@
 #include "model/engine.h"
 #include "sim/memory/timing.h"
 #include "sim/systemc/common/clock.h"
+#include "sim/systemc/common/timeline.h"
 
 namespace kagesen::tlm_model {
 
@@ -24,6 +25,8 @@ class ShadowUnit : public sc_core::sc_module {
   /// @param cycles  if not null: of each fragment, from the pass's first cycle on
   virtual void decide(const Fragment* fragments, std::size_t count, Verdict* verdicts,
                       FragmentCycles* cycles) = 0;
+  /// @param timeline  takes what happens in pass 2, its first cycle being 0; or null
+  virtual void trace(Timeline* timeline) { static_cast<void>(timeline); }
   /// Of what is modelled.
   virtual CycleReport cycles() const = 0;
   /// The buffers and the counters.

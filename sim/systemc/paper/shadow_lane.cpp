@@ -1,6 +1,8 @@
 #include "sim/systemc/paper/shadow_lane.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace kagesen::tlm_model::paper {
 
@@ -55,12 +57,24 @@ void ShadowLane::take() {
 Cycle ShadowLane::retire() {
   const std::uint64_t oldest = slots.retired();
   while (!slots.decided(slots.slot_of(oldest))) {
+    if (slb.idle()) stuck(oldest);
     const SilhouetteBuffer::Step step = slb.step();
     if (step.last) slots.decide(step.slot, step.decided);
   }
   const Cycle fetched = slots.retire();
   if (pass_.cycles) pass_.cycles[oldest * pass_.stride].retired = slots.last_taken();
   return fetched + 1;
+}
+
+/// The oldest fragment waits, and nothing is under way that could decide it.
+void ShadowLane::stuck(std::uint64_t oldest) {
+  const SilhouetteBuffer::Walk& walk = slb.walk(slots.slot_of(oldest));
+  std::string text = std::string(name()) + ": stuck. Fragment " + std::to_string(oldest) +
+                     " has read " + std::to_string(walk.reads.size()) + " of " +
+                     std::to_string(walk.trail.records.size()) + " records";
+  if (!walk.reads.empty()) text += ", the last one until cycle " + std::to_string(walk.reads.back().responded);
+  text += "; " + std::to_string(fragments_ - oldest) + " fragments in flight, no read is asked for";
+  throw std::logic_error(text);
 }
 
 /// Waits for the slot of the next fragment.

@@ -13,6 +13,7 @@
 #include <systemc>
 
 #include "model/cycle_causes.h"
+#include "model/fragment_cycles.h"
 #include "model/unit/fragment_trail.h"
 #include "sim/systemc/common/lane_slots.h"
 #include "sim/systemc/paper/silhouette_buffer.h"
@@ -67,6 +68,7 @@ class ShadowLane : public sc_core::sc_module {
 
  private:
   Cycle retire();
+  [[noreturn]] void stuck(std::uint64_t oldest);
   void free_slot();
   void blame(std::uint32_t oldest, Cycle from, Cycle to);
   std::uint64_t& cause(LaneCause which) { return causes_[static_cast<std::size_t>(which)]; }

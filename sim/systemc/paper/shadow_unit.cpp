@@ -26,6 +26,7 @@ PaperUnit::PaperUnit(const sc_core::sc_module_name& name, unsigned lanes)
 
 void PaperUnit::begin(const UnitConfig& config, const FrameSetup& setup, const Timing& timing) {
   config_ = config;
+  timed_ = ReadTiming::simple_banks(timing);
   golden_->begin(config, setup);
   lanes_.begin_frame(timing);
 }
@@ -51,7 +52,11 @@ void PaperUnit::decide(const Fragment* fragments, std::size_t count, Verdict* ve
 
 CycleReport PaperUnit::cycles() const {
   CycleReport report;
+  // Where SLB records stand in the pool is the store's to say, which is not modelled: banks and rows
+  // of that memory would answer at other times.
+  if (!timed_) return report;
   report.pass2 = lanes_.cycles();
+  report.traffic = lanes_.traffic();
   return report;
 }
 

@@ -19,6 +19,7 @@ class PaperUnit : public ShadowUnit {
   void draw(const Caster* casters, std::size_t count) override;
   void decide(const Fragment* fragments, std::size_t count, Verdict* verdicts,
               FragmentCycles* cycles) override;
+  void trace(Timeline* timeline) override { lanes_.trace(timeline); }
   CycleReport cycles() const override;
   const Engine& golden() const override { return *golden_; }
 
@@ -27,6 +28,7 @@ class PaperUnit : public ShadowUnit {
   std::unique_ptr<Engine> golden_;
   Lanes<ShadowLane> lanes_;
   UnitConfig config_;
+  bool timed_ = true;
 };
 
 }  // namespace kagesen::tlm_model::paper

@@ -45,6 +45,7 @@ class SilhouetteBuffer : public sc_core::sc_module {
 
   /// A fragment begins to read: its request goes into its queue in this cycle.
   void look_up(Cycle at, std::uint32_t slot) { lookups_.push(at, slot); }
+  bool idle() const { return lookups_.empty() && more_.empty(); }
   /// The next read of all. @pre some fragment has one to do; look_up() was called for all whose turn
   /// comes before
   Step step() {
