@@ -49,6 +49,7 @@ class ShadowUnit {
   void empty_visited();
   void fill_spans();
   void cover(std::uint32_t texel, std::uint32_t centre);
+  std::uint32_t hide_depth(std::uint32_t centre) const;
   void remove_hidden(std::uint32_t texel, std::uint32_t depth);
   void overflow(std::uint32_t texel, std::uint32_t depth);
   void update_edge_flag(std::uint32_t texel);

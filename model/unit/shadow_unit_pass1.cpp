@@ -54,6 +54,7 @@ void ShadowUnit::draw(const Caster& caster) {
   polygon_id_ = c.polygon & polygon_mask_;
   if (trail_ != nullptr) {
     trail_->flat = false;
+    trail_->object = object_;
     trail_->twice_area = polygon.twice_area();
     trail_->gradient_x = polygon.gradient_x();
     trail_->gradient_y = polygon.gradient_y();
@@ -109,6 +110,14 @@ void ShadowUnit::mark_corner(Record& record, const OutlineTexel& at) {
 void ShadowUnit::visit_texel(const OutlineTexel& at, std::uint32_t texel_index) {
   ++counters_.edge_texels;
   Texel& texel = texels_[texel_index];
+  if (trail_ != nullptr) {
+    trail_->visits.push_back({at.nearest, texel.edge(), texel.overflow(),
+                              polygon_->covers_corner(at.x - centre_x_, at.y - centre_y_),
+                              at.line.has(Line::kStartHere) || at.line.has(Line::kEndHere),
+                              config_.hidden_removal == HiddenRemoval::kCentre &&
+                                  texel.depth < at.nearest,
+                              TriangleTrail::EdgeVisit::kNone, TriangleTrail::EdgeVisit::kNone});
+  }
   if (texel.overflow()) {
     texel.cover(at.nearest, object_);
     ++counters_.overflow_lines;
@@ -121,11 +130,19 @@ void ShadowUnit::visit_texel(const OutlineTexel& at, std::uint32_t texel_index) 
 
   if (entry != SilhouetteBuffer::kNone) {
     const bool match_id = config_.match_polygon_id;
-    const bool cancelled =
-        slb_.remove_first(entry, [&](const Line& other) { return cancels(line, other, match_id); });
+    std::int32_t asked = 0;
+    const bool cancelled = slb_.remove_first(entry, [&](const Line& other) {
+      ++asked;
+      return cancels(line, other, match_id);
+    });
     if (cancelled) {
       ++counters_.lines_cancelled;
       mark_corner(slb_[entry], at);
+      if (trail_ != nullptr) {
+        TriangleTrail::EdgeVisit& visit = trail_->visits.back();
+        visit.cancelled = asked - 1;
+        if (slb_[entry].lines == 0) visit.emptied = static_cast<std::int32_t>(emptied_.size());
+      }
       if (slb_[entry].lines == 0) emptied_.push_back({at.x, at.y, texel_index});
       return;
     }
@@ -176,13 +193,20 @@ void ShadowUnit::empty_visited() {
   for (const Visit& visit : emptied_) {
     const std::uint32_t bucket = bucket_at(visit.texel);
     const std::uint32_t entry = slb_.find(bucket, visit.texel, object_);
+    if (trail_ != nullptr) trail_->emptied.push_back({texels_[visit.texel].edge(), false, 0});
     if (entry == SilhouetteBuffer::kNone || slb_[entry].lines != 0) continue;
     const bool covered = slb_[entry].corner_covered;
     slb_.erase(bucket, entry);
     update_edge_flag(visit.texel);
     if (!covered) continue;
     ++counters_.emptied_covered;
-    cover(visit.texel, polygon_->centre_depth(visit.x - centre_x_, visit.y - centre_y_));
+    const std::uint32_t centre =
+        polygon_->centre_depth(visit.x - centre_x_, visit.y - centre_y_);
+    if (trail_ != nullptr) {
+      trail_->emptied.back().covered = true;
+      trail_->emptied.back().hide_depth = hide_depth(centre);
+    }
+    cover(visit.texel, centre);
   }
 }
 
@@ -199,6 +223,10 @@ void ShadowUnit::fill_spans() {
     for (std::uint32_t texel = first; texel <= last; ++texel, depth.advance()) {
       const auto centre = static_cast<std::uint32_t>(depth.whole);
       if (texels_[texel].edge()) {
+        if (trail_ != nullptr) {
+          const auto x = from + static_cast<std::int32_t>(texel - first);
+          trail_->hiding.push_back({x, y, hide_depth(centre)});
+        }
         cover(texel, centre);
       } else {
         texels_[texel].cover(centre, object_);
@@ -210,9 +238,12 @@ void ShadowUnit::fill_spans() {
 void ShadowUnit::cover(std::uint32_t texel, std::uint32_t centre) {
   texels_[texel].cover(centre, object_);
   if (config_.hidden_removal == HiddenRemoval::kOff || !texels_[texel].edge()) return;
-  remove_hidden(texel, config_.hidden_removal == HiddenRemoval::kCentre
-                           ? centre
-                           : polygon_->farthest(centre));
+  remove_hidden(texel, hide_depth(centre));
+}
+
+/// What covers a texel with this depth at its centre hides lines behind.
+std::uint32_t ShadowUnit::hide_depth(std::uint32_t centre) const {
+  return config_.hidden_removal == HiddenRemoval::kCentre ? centre : polygon_->farthest(centre);
 }
 
 void ShadowUnit::remove_hidden(std::uint32_t texel, std::uint32_t depth) {

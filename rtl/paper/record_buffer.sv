@@ -69,8 +69,9 @@ module record_buffer (
   assign came         = rsp_data_i;
   assign linking      = update_i ? update_record_i : record_o;
   assign linking_addr = update_i ? update_addr_i : lookup_q;
+  // Not of an update that waits: what it links to may never have been written.
   ram_1r1w #(.Width(1 + KeyBits + AddrBits), .Depth(Links)) links (
-    .clk_i, .write_i(unlinking || hit_o || (update_i && update_ready_o)),
+    .clk_i, .write_i(unlinking || (update_i ? update_ready_o : hit_o)),
     .write_addr_i(unlinking ? unlinked_q[LinkBits-1:0] : linking_addr[LinkBits-1:0]),
     .write_data_i(unlinking ? '0 : {linking.has_next || linking.has_more, linking_addr[AddrBits-1:LinkBits],
                    linking.has_next ? linking.next : linking.more}),

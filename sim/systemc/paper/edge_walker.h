@@ -37,7 +37,7 @@ class EdgeWalker : public sc_core::sc_module {
       const bool on_row = static_cast<std::uint32_t>(texel->y) < height_;
       if (on_row) rows.visit(texel->y);
       if (on_row && static_cast<std::uint32_t>(texel->x) < width_) {
-        visits.put(at, {Visit::kEdge, texel->x, texel->y});
+        visits.put(at, {Visit::kEdge, texel->x, texel->y, 0});
       } else {
         visits.pass(at);
       }

@@ -29,7 +29,7 @@ Cycle Front::draw(const unit::TriangleTrail& triangle, Cycle offered) {
   const Cycle begins = std::max({setup_.edge_ready(0), walked_, visits_.moves()});
   causes_.setup(std::max(offered, walked_), begins + 1);
   rows_.begin();
-  visits_.put(begins, {Visit::kBegin, 0, 0});
+  visits_.put(begins, {});
   Cycle taken = begins;
   for (unsigned edge = 0;; ++edge) {
     setup_.take(taken, walker_.begin(taken, visits_));
@@ -44,7 +44,7 @@ Cycle Front::draw(const unit::TriangleTrail& triangle, Cycle offered) {
     }
   }
   const Cycle edges_done = visits_.moves();
-  visits_.put(edges_done, {Visit::kEdgesDone, 0, 0});
+  visits_.put(edges_done, {Visit::kEdgesDone, 0, 0, 0});
   rows_.start(edges_done);
   filler_.fill(triangle, visits_, rows_);
   walked_ = rows_.done() + 1;

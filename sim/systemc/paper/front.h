@@ -22,6 +22,8 @@ class Front : public sc_core::sc_module {
   Cycle draw(const unit::TriangleTrail& triangle, Cycle offered);
   /// The first cycle with nothing inside, if no more triangles come.
   Cycle idle() const { return std::max({walked_, free_, visits_.empty()}); }
+  /// Causes of the cycles before this one are told.
+  Cycle told() const { return walked_; }
   /// Why there was no visit, up to the last one that draw() gave to the store.
   FrontCauses& causes() { return causes_; }
 

@@ -33,7 +33,9 @@ class SpanFiller : public sc_core::sc_module {
         const auto steps = static_cast<Cycle>((last >> 1) - (x >> 1) + 1);
         const Cycle at = visits.moves() + steps - 1;
         if (last == gap.to) rows.take(at);
-        visits.put(at, {Visit::kSpan, x & ~(kTexelsPerWord - 1), gap.y});
+        const std::int32_t word = x & ~(kTexelsPerWord - 1);
+        const unsigned mask = (2u << (last - word)) - (1u << (x - word));
+        visits.put(at, {Visit::kSpan, word, gap.y, mask});
         x = last + 1;
       }
       anchor = {gap.from, gap.y};

@@ -1,0 +1,64 @@
+#pragma once
+/// A memory's port in pass 1 with the words of it that are kept on chip.
+#include <functional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+#include "sim/systemc/common/line_cache.h"
+#include "sim/systemc/common/memory_port.h"
+
+namespace kagesen::tlm_model {
+
+class CachedMemory : public sc_core::sc_module {
+ public:
+  LineCache cache;
+  MemoryPort port;
+
+  explicit CachedMemory(const sc_core::sc_module_name& name)
+      : sc_module(name), cache("cache"), port("port") {}
+
+  /// @param writes  cycles in which the memory takes none
+  void begin_pass(unsigned word_bytes, const Stalls& writes) {
+    port.begin_pass(word_bytes);
+    writes_ = writes;
+    accepted_ = kNever;
+    due_ = {};
+  }
+  /// What the memory does in a cycle.
+  LineCache::Inputs inputs(Cycle now) {
+    LineCache::Inputs in;
+    if (cache.reads() && accepted_ == kNever) {
+      const MemoryPort::Read read = port.read(now, cache.read_address());
+      accepted_ = read.accepted;
+      due_.push({read.responded, cache.read_line()});
+    }
+    in.read_ready = accepted_ == now;
+    in.write_ready = !writes_.at(now);
+    if (!due_.empty() && due_.top().first == now) {
+      in.response = true;
+      in.response_line = due_.top().second;
+    }
+    return in;
+  }
+  void step(const LineCache::Inputs& in) {
+    if (in.response) due_.pop();
+    if (in.read_ready) accepted_ = kNever;
+    cache.step(in);
+  }
+  /// The first cycle from `from` on in which the memory does something, if nothing else happens.
+  Cycle next(Cycle from) const {
+    Cycle at = due_.empty() ? kNever : due_.top().first;
+    if (accepted_ != kNever) at = std::min(at, accepted_);
+    if (cache.writes()) at = std::min(at, writes_.next(from));
+    return at;
+  }
+
+ private:
+  using Due = std::pair<Cycle, unsigned>;  // a response, and its line
+  Stalls writes_;
+  Cycle accepted_ = kNever;  // the request that is offered
+  std::priority_queue<Due, std::vector<Due>, std::greater<>> due_;
+};
+
+}  // namespace kagesen::tlm_model

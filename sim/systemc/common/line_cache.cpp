@@ -1,0 +1,192 @@
+#include "sim/systemc/common/line_cache.h"
+
+#include <cstring>
+
+namespace kagesen::tlm_model {
+
+void LineCache::reset(unsigned lines, bool fold) {
+  set_bits_ = 0;
+  while (2u << set_bits_ < lines) ++set_bits_;
+  fold_ = fold;
+  lines_.assign(lines, {});
+  keys_.assign(lines, 0);
+  busy_count_ = 0;
+  std::memset(&r_, 0, sizeof r_);
+  settle();
+}
+
+void LineCache::clear() {
+  for (Line& line : lines_) line.valid = false;
+  r_.lookup = r_.hint = r_.hinting = r_.read = r_.write = false;
+  settle();
+}
+
+unsigned LineCache::set_of(Address address) const {
+  if (fold_) {
+    for (Address rest = address >> set_bits_; rest != 0; rest >>= set_bits_) address ^= rest;
+  }
+  return address & ((1u << set_bits_) - 1);
+}
+
+/// Which way holds the looked-up word, or will take it; the same for the hint.
+void LineCache::settle() {
+  lookup_set_ = set_of(r_.lookup_address);
+  hint_set_ = set_of(r_.hint_address);
+  const Line* const looked = &lines_[2 * lookup_set_];
+  present_ = lookup_free_ = false;
+  lookup_way_ = r_.turn;
+  for (unsigned way = 0; way < 2; ++way) {
+    if (looked[way].busy) continue;
+    const bool chosen = looked[lookup_way_].awaited(), other = looked[way].awaited();
+    if (!lookup_free_ || (chosen && !other) || (chosen == other && r_.turn)) {
+      lookup_free_ = true;
+      lookup_way_ = way;
+    }
+  }
+  for (unsigned way = 0; way < 2; ++way) {
+    if (looked[way].valid && r_.lookup_keys[way] == r_.lookup_address) {
+      present_ = true;
+      lookup_way_ = way;
+    }
+  }
+  if (r_.forward) lookup_way_ = r_.forward_way;
+  hit_ = r_.lookup && (r_.forward || (!r_.raced && present_ && !looked[lookup_way_].busy));
+
+  const Line* const hinted = &lines_[2 * hint_set_];
+  hint_done_ = hint_free_ = false;
+  done_way_ = 0;
+  hint_way_ = r_.turn;
+  for (unsigned way = 0; way < 2; ++way) {
+    if (hinted[way].valid && r_.hint_keys[way] == r_.hint_address && !r_.hint_raced) {
+      hint_done_ = true;
+      done_way_ = way;
+    }
+    const bool may = !r_.lookup || (lookup_set_ != hint_set_ && !hinted[way].awaited());
+    if (!hinted[way].busy && may && !(hint_free_ && hint_way_ == r_.turn)) {
+      hint_free_ = true;
+      hint_way_ = way;
+    }
+  }
+}
+
+bool LineCache::in_place(Address address) const {
+  const bool new_ready =
+      r_.lookup && r_.is_new && !r_.forward && !r_.raced && !present_ && lookup_free_;
+  return (hit_ || new_ready) && address == r_.lookup_address;
+}
+
+bool LineCache::update_ready(Address address, bool write_ready) const {
+  if (r_.write && !write_ready) return false;
+  if (in_place(address)) return true;
+  const Line* const set = &lines_[2 * set_of(address)];
+  return !set[0].busy && !set[1].busy;
+}
+
+LineCache::Fill LineCache::fill(const Inputs& in) const {
+  // An update that takes a line goes first.
+  const bool takes_line = in.update && (!in_place(in.update_address) || !hit_);
+  if ((r_.read && !(reads() && in.read_ready)) || takes_line) return {false, false};
+  const bool lookup =
+      r_.lookup && !r_.is_new && !r_.forward && !present_ && !r_.raced && lookup_free_;
+  return {lookup, !lookup && r_.hint && hint_free_ && !hint_done_ && !r_.hint_raced};
+}
+
+bool LineCache::hint_ready(const Inputs& in) const {
+  return takes_hint(fill(in));
+}
+
+/// A weak hint is dropped where it would have to wait.
+bool LineCache::takes_hint(const Fill& fill) const {
+  return !r_.hint || hint_done_ || fill.hint || (r_.hint_weak && !hint_free_);
+}
+
+void LineCache::step(const Inputs& in) {
+  const Registers before = r_;
+  Registers next = r_;
+  const Fill fills = fill(in);
+  const bool hint_taken = takes_hint(fills);
+  const bool moves = in.update && !in_place(in.update_address);
+  const bool claims = in.update && !moves && !hit_;
+  const unsigned update_set = set_of(in.update_address);
+  const unsigned update_way = moves ? 0 : lookup_way_, update_line = 2 * update_set + update_way;
+  const Address fill_address = fills.lookup ? r_.lookup_address : r_.hint_address;
+  const unsigned fill_line = fills.lookup ? 2 * lookup_set_ + lookup_way_ : 2 * hint_set_ + hint_way_;
+  const bool key_write = moves || claims || fills.any();
+  const unsigned key_line = in.update && !fills.any() ? update_line : fill_line;
+  const bool kept = in.response && lines_[in.response_line].valid;
+  bool changed = in.update || fills.any() || in.response;
+
+  const bool reading = in.lookup || (r_.lookup && (!hit_ || in.update));
+  if (reading) {
+    const Address address = in.lookup ? in.lookup_address : r_.lookup_address;
+    const unsigned set = set_of(address);
+    next.lookup_keys[0] = keys_[2 * set];
+    next.lookup_keys[1] = keys_[2 * set + 1];
+    next.forward = in.update && in.update_address == address;
+    next.forward_way = update_way != 0;
+    next.raced = (in.update && update_set == set) || (kept && in.response_line / 2 == set) ||
+                 (key_write && key_line / 2 == set);
+  }
+  const unsigned hint_read_set = hint_taken ? set_of(in.hint_address) : hint_set_;
+  next.hint_keys[0] = keys_[2 * hint_read_set];
+  next.hint_keys[1] = keys_[2 * hint_read_set + 1];
+  next.hint_raced = key_write && key_line / 2 == hint_read_set;
+
+  next.turn = r_.turn != fills.any();
+  if (in.lookup) {
+    next.met = in.lookup_address == r_.lookup_address && (r_.met || hit_);
+    next.lookup_address = in.lookup_address;
+    next.is_new = in.lookup_new;
+  } else if (hit_) {
+    next.met = true;
+  }
+  next.lookup = in.lookup || (r_.lookup && !in.lookup_end);
+  next.hint = hint_taken ? in.hint && !(r_.hinting && in.hint_address == r_.hint_address) : true;
+  if (in.hint && hint_taken) {
+    next.hint_address = in.hint_address;
+    next.hint_weak = in.hint_weak;
+  }
+  next.hinting = r_.hinting || in.hint;
+  next.read = fills.any() || (r_.read && !(reads() && in.read_ready));
+  next.write = in.update || (r_.write && !in.write_ready);
+  if (fills.any()) {
+    next.read_address = fill_address;
+    next.read_line = static_cast<std::uint8_t>(fill_line);
+  }
+  if (in.update) next.write_address = in.update_address;
+
+  // ---- Lines ----
+  const unsigned hint_line = 2 * hint_set_ + done_way_, lookup_line = 2 * lookup_set_ + lookup_way_;
+  const bool again = r_.hint && hint_done_ && !r_.hint_weak, met = hit_ && !r_.met;
+  if (again && !(met && hint_line == lookup_line)) {
+    Line& line = lines_[hint_line];
+    line.again = line.hinted;
+    line.hinted = true;
+    changed = true;
+  }
+  if (met && !(again && hint_line == lookup_line)) {
+    Line& line = lines_[lookup_line];
+    line.hinted = line.again;
+    line.again = false;
+    changed = true;
+  }
+  if (in.response) {
+    lines_[in.response_line].busy = false;
+    --busy_count_;
+  }
+  if (moves) lines_[2 * update_set + 1].valid = false;
+  if (in.update) {
+    lines_[update_line].valid = true;
+    if (moves || claims) lines_[update_line].hinted = lines_[update_line].again = false;
+  }
+  if (fills.any()) {
+    lines_[fill_line] = {true, true, fills.hint && !r_.hint_weak, false};
+    ++busy_count_;
+  }
+  if (key_write) keys_[key_line] = in.update && !fills.any() ? in.update_address : fill_address;
+  r_ = next;
+  unchanged_ = !changed && std::memcmp(&before, &next, sizeof next) == 0;
+  settle();
+}
+
+}  // namespace kagesen::tlm_model

@@ -1,0 +1,82 @@
+#include "sim/systemc/paper/pass1.h"
+
+#include "model/cycle_causes.h"
+
+namespace kagesen::tlm_model::paper {
+namespace {
+
+// shadow_pkg's Pass*.
+constexpr std::uint32_t kWipe = 1, kDraw = 3;
+
+}  // namespace
+
+Pass1::Pass1(const sc_core::sc_module_name& name)
+    : sc_module(name),
+      front_("front"),
+      store_("store"),
+      texel_memory_("texel_memory"),
+      slb_memory_("slb_memory") {
+  store_.texels.port.socket.bind(texel_memory_.socket);
+  store_.records.port.socket.bind(slb_memory_.socket);
+}
+
+void Pass1::begin_pass(PassNumber number) {
+  texel_memory_.begin_pass(number, Channel::kTexelReads, 0, texel_bytes_);
+  slb_memory_.begin_pass(number, Channel::kSlbReads, 0, record_bytes_);
+  const auto writes = [&](Channel channel) {
+    return Stalls(timing_.memory_stall, Chance(timing_.seed, number, channel, 0));
+  };
+  store_.begin_pass(texel_bytes_, writes(Channel::kTexelWrites), record_bytes_,
+                    writes(Channel::kSlbWrites));
+}
+
+void Pass1::begin_frame(const UnitConfig& config, const FrameSetup& setup, const Timing& timing,
+                        unsigned texel_bytes, unsigned record_bytes) {
+  config_ = config;
+  timing_ = timing;
+  texel_bits_ = setup.fraction_bits;
+  texel_bytes_ = texel_bytes;
+  record_bytes_ = record_bytes;
+  texel_memory_.configure(timing);
+  slb_memory_.configure(timing);
+  store_.reset(config);
+  begin_pass({kWipe, 0});
+  wipe_ = store_.wipe();
+  draws_ = 0;
+  total_ = 0;
+}
+
+void Pass1::draw(unit::ShadowUnit& golden, const Caster* casters, std::size_t count) {
+  const PassNumber number{kDraw, draws_++};
+  begin_pass(number);
+  front_.begin_pass(config_, texel_bits_, store_);
+  const Stalls offers(timing_.stream_stall, Chance(timing_.seed, number, Channel::kTriangles, 0));
+  unit::TriangleTrail trail;
+  Cycle free = kNever;  // what is not held back before the first cycle is there in it
+  taken_.clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    golden.draw(casters[i], trail);
+    store_.begin(trail);
+    store_.tell(front_.causes(), front_.told());
+    const Cycle offered = offers.next(free);
+    taken_.push_back(front_.draw(trail, offered == kNever ? 0 : offered));
+    free = taken_.back() + 1;
+  }
+  total_ += store_.finish(front_.idle());
+  front_.causes().none(front_.idle(), kNever);
+  store_.tell(front_.causes(), kNever);
+}
+
+void Pass1::report(CycleReport& report, const UnitCounters& counters) const {
+  report.clear = wipe_;
+  report.edge_texels = counters.edge_texels;
+  report.span_texels = counters.span_texels;
+  PassCycles& pass1 = report.pass1.emplace();
+  pass1.total = total_;
+  pass1.items = counters.edge_texels + counters.span_texels;
+  for (std::size_t c = 0; c < Store::kCauses; ++c) {
+    pass1.causes.emplace_back(kStoreCauses[c], store_.causes()[c]);
+  }
+}
+
+}  // namespace kagesen::tlm_model::paper

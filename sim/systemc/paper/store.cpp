@@ -1,0 +1,311 @@
+#include "sim/systemc/paper/store.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "model/golden.h"
+#include "model/unit/address_generator.h"
+
+namespace kagesen::tlm_model::paper {
+namespace {
+
+enum Cause : unsigned {
+  kEdge, kSpan, kOther, kInput, kSetup, kWalk, kTexel, kRecord, kChain, kWrite
+};
+constexpr std::size_t kEmptiedAhead = 32;
+
+}  // namespace
+
+Store::Store(const sc_core::sc_module_name& name)
+    : sc_module(name), texels("texel_buffers"), records("record_buffer"), walk_("silhouette_buffer") {}
+
+void Store::reset(const UnitConfig& config) {
+  config_ = config;
+  pitch_log2_ =
+      static_cast<unsigned>(bits_for(static_cast<std::uint64_t>((config.map_width + 3) / 4)));
+  texels.cache.reset(static_cast<unsigned>(config.texel_lines), true);
+  records.cache.reset(static_cast<unsigned>(config.record_lines), false);
+  visits_.reset(static_cast<std::size_t>(config.visit_fifo_depth));
+  emptied_.reset(~std::size_t{0});
+  soon_.reset(kEmptiedAhead);
+  closing_ = 0;
+  links_.reset(static_cast<unsigned>(config.record_lines));
+  spans_.reset(static_cast<unsigned>(config.texel_lines),
+               static_cast<RecordAddress>(config.slb_buckets) - 1);
+  edges_.assign(static_cast<std::size_t>(config.map_height) << pitch_log2_, 0);
+  causes_ = {};
+  walk_.wipe(config);
+}
+
+void Store::begin_pass(unsigned texel_bytes, const Stalls& texel_writes, unsigned record_bytes,
+                       const Stalls& record_writes) {
+  texels.begin_pass(texel_bytes, texel_writes);
+  records.begin_pass(record_bytes, record_writes);
+  now_ = 0;
+  unchanged_ = false;
+  waits_.clear();
+}
+
+Cycle Store::wipe() {
+  walk_.wipe(config_);
+  texels.cache.clear();
+  records.cache.clear();
+  const auto words = static_cast<std::uint32_t>(config_.map_height) << pitch_log2_;
+  const auto buckets = static_cast<std::uint32_t>(config_.slb_buckets);
+  std::uint32_t word = 0, bucket = 0;
+  const auto go_on = [](CachedMemory& memory, Cycle now, std::uint32_t& at, std::uint32_t end) {
+    LineCache::Inputs in = memory.inputs(now);
+    in.update_address = at;
+    in.update = at != end && memory.cache.update_ready(at, in.write_ready);
+    at += in.update;
+    memory.step(in);
+  };
+  // The first cycle clears what is on chip.
+  for (now_ = 1;; ++now_) {
+    const bool done =
+        word == words && bucket == buckets && now_ > links_.wipe_cycles() &&
+        texels.cache.idle() && records.cache.idle();
+    go_on(texels, now_, word, words);
+    go_on(records, now_, bucket, buckets);
+    if (done) break;
+  }
+  return now_ + 1;
+}
+
+void Store::begin(const unit::TriangleTrail& triangle) {
+  triangle_ = &triangle;
+  next_visit_ = next_hiding_ = 0;
+}
+
+Operation Store::operation_of(const Visit& visit) {
+  Operation o;
+  o.x = visit.x;
+  o.y = visit.y;
+  o.object = triangle_->object;
+  const auto x = static_cast<std::uint32_t>(visit.x), y = static_cast<std::uint32_t>(visit.y);
+  o.bucket = unit::bucket_of(x, y, static_cast<std::uint32_t>(config_.slb_buckets));
+  o.word = y << pitch_log2_ | x >> 2;
+  switch (visit.kind) {
+    case Visit::kEdge:
+      o.edge = triangle_->visits[next_visit_++];
+      if (o.edge.emptied >= 0) {
+        o.emptied = triangle_->emptied[static_cast<std::size_t>(o.edge.emptied)];
+      }
+      break;
+    case Visit::kSpan:
+      o.kind = Operation::kSpan;
+      o.mask = visit.mask;
+      for (; next_hiding_ < triangle_->hiding.size(); ++next_hiding_) {
+        const unit::TriangleTrail::Hiding& h = triangle_->hiding[next_hiding_];
+        if (h.y != visit.y || h.x < visit.x || h.x > visit.x + 3) break;
+        const auto i = static_cast<unsigned>(h.x - visit.x);
+        o.edges |= 1u << i;
+        o.hide_depth[i] = h.hide_depth;
+      }
+      break;
+    default:
+      o.kind = Operation::kEdgesDone;
+  }
+  return o;
+}
+
+Cycle Store::take(const Visit& visit, Cycle offered) {
+  pass_over(offered);
+  const bool begins = visit.kind == Visit::kBegin;
+  const Operation operation = begins ? Operation{} : operation_of(visit);
+  while (!step(&operation, begins)) {
+    if (unchanged_) pass_over(kNever);
+  }
+  return now_ - 1;
+}
+
+bool Store::ready(Cycle) { return false; }  // the paper profile's front never asks
+
+Cycle Store::finish(Cycle front_idle) {
+  pass_over(front_idle);
+  while (!idle()) {
+    step(nullptr, false);
+    if (unchanged_) pass_over(kNever);
+  }
+  step(nullptr, false);
+  return now_;
+}
+
+bool Store::active() const {
+  return !(visits_.empty() && emptied_.empty() && soon_.empty()) || walk_.busy();
+}
+bool Store::idle() const { return !active() && texels.cache.idle() && records.cache.idle(); }
+
+/// Cycles up to `until` without a visit at the input; if the last one changed nothing, to the next
+/// in which a memory does something at once. kNever: only that.
+void Store::pass_over(Cycle until) {
+  while (now_ < until) {
+    if (unchanged_) {
+      const Cycle next = std::min({until, texels.next(now_), records.next(now_)});
+      if (next == kNever) throw std::logic_error("the store's model stands still");
+      count(cause_, next - now_);
+      now_ = next;
+      unchanged_ = false;
+      if (until == kNever) return;
+    } else if (until == kNever) {
+      return;
+    } else {
+      step(nullptr, false);
+    }
+  }
+}
+
+void Store::count(unsigned cause, Cycle cycles) {
+  if (cycles == 0) return;
+  if (cause != kInput) {
+    causes_[cause] += cycles;
+  } else if (!waits_.empty() && waits_.back().to == now_) {
+    waits_.back().to += cycles;
+  } else {
+    waits_.push_back({now_, now_ + cycles});
+  }
+}
+
+void Store::tell(FrontCauses& front, Cycle until) {
+  std::size_t told = 0;
+  for (; told < waits_.size() && waits_[told].to <= until; ++told) {
+    const FrontCauses::Cycles cycles = front.of(waits_[told].from, waits_[told].to);
+    causes_[kInput] += cycles.none;
+    causes_[kSetup] += cycles.setup;
+    causes_[kWalk] += cycles.walk;
+  }
+  waits_.erase(waits_.begin(), waits_.begin() + static_cast<std::ptrdiff_t>(told));
+}
+
+/// One cycle. @param offered  null: no visit is  @return is it taken?
+bool Store::step(const Operation* offered, bool begins) {
+  LineCache::Inputs texel = texels.inputs(now_), record = records.inputs(now_);
+
+  // ---- The operation's step ----
+  const bool busy = walk_.busy(), first = busy && walk_.first();
+  const bool texel_hit = texels.cache.hit();
+  bool fire = false, last = false, look = false, look_new = false, emptied = false, acts = false;
+  Operation of_emptied;
+  RecordLinks::Inputs link;
+  cause_ = kInput;
+  if (busy) {
+    const SlbStep& s = walk_.plan(records.cache.hit(), texel_hit);
+    const Operation& o = walk_.operation();
+    const bool record_ready =
+        !s.write || records.cache.update_ready(s.write_address, record.write_ready);
+    const bool texel_ready =
+        !s.touch || (texel_hit && texels.cache.update_ready(o.word, texel.write_ready));
+    acts = s.act;
+    fire = s.act && record_ready && texel_ready;
+    last = fire && s.last;
+    look = fire && s.look && !s.last;
+    look_new = s.look_new;
+    texel.update = fire && s.touch;
+    texel.update_address = o.word;
+    record.update = fire && s.write;
+    record.update_address = s.write_address;
+    record.lookup_address = s.look_address;
+    const bool writes = s.act && s.write && texel_ready;
+    link.learn = writes ? record_ready : records.cache.hit();
+    link.learn_address = writes ? s.write_address : walk_.at();
+    link.known = writes ? walk_.written() : walk_.record(walk_.at());
+    if (texel.update && (s.set_edge || s.stored)) {
+      const unsigned bit = 1u << walk_.texel();
+      std::uint8_t& flags = edges_[o.word];
+      flags = static_cast<std::uint8_t>(s.stored || s.edge_flag ? flags | bit : flags & ~bit);
+    }
+    emptied = fire && s.emptied;
+    if (emptied) {
+      of_emptied = o;
+      of_emptied.kind = Operation::kEmptied;
+    }
+    cause_ = last ? (o.kind == Operation::kEdge   ? kEdge
+                     : o.kind == Operation::kSpan ? kSpan
+                                                  : kOther)
+             : first && !acts ? (texel_hit ? kRecord : kTexel)
+             : acts && !fire  ? kWrite
+                              : kChain;
+  }
+
+  // ---- The next operation ----
+  const bool edges_done = visits_.valid() && visits_.front().kind == Operation::kEdgesDone;
+  if (!busy && edges_done) cause_ = kOther;
+  const bool ready = !busy || last;
+  const bool no_emptied = emptied_.empty() && soon_.empty() && !emptied;
+  const bool start = ready && (edges_done ? soon_.valid() : visits_.valid());
+  const bool take_emptied = edges_done && start;
+  const bool take_visit = ready && (edges_done ? no_emptied : visits_.valid());
+  const Operation* const next =
+      start ? (edges_done ? &soon_.front() : &visits_.front()) : nullptr;
+  texel.lookup = start;
+  texel.lookup_end = last;
+  record.lookup = start ? next->kind != Operation::kSpan : look;
+  record.lookup_new = !start && look_new;
+  record.lookup_end = last;
+  if (start) {
+    texel.lookup_address = next->word;
+    record.lookup_address = next->bucket;
+  }
+
+  // ---- Hints, and the visit that is offered ----
+  const bool record_hint_ready = records.cache.hint_ready(record);
+  const bool hints_ready = texels.cache.hint_ready(texel) && record_hint_ready;
+  const bool hint_emptied = emptied_.valid() && soon_.ready() && closing_ != 0;
+  const bool taken = offered != nullptr && visits_.ready() && hints_ready && !hint_emptied;
+  const bool push = taken && !begins;
+  const bool hints = hint_emptied && hints_ready;
+  const Operation* const hinted = hints ? &emptied_.front() : offered;
+  texel.hint = hints || (push && offered->kind != Operation::kEdgesDone);
+  const bool visit_hint = hints || (push && offered->kind == Operation::kEdge);
+  if (texel.hint) texel.hint_address = hinted->word;
+  link.hint = visit_hint;
+  link.hint_ready = record_hint_ready;
+  link.hint_address = visit_hint ? hinted->bucket : 0;
+  if (record.response) {
+    link.came = &walk_.record(records.cache.address_of(record.response_line));
+  }
+  link.active = active();
+  link.soon = spans_.valid();
+  if (link.soon) link.soon_address = spans_.address();
+  const bool follows = links_.valid() && link.active;
+  record.hint = visit_hint || follows;
+  record.hint_weak = !visit_hint;
+  record.hint_address = visit_hint ? link.hint_address : follows ? links_.address() : 0;
+  SpanHints::Inputs span;
+  span.visit = push && offered->kind != Operation::kEdgesDone;
+  if (span.visit) {
+    span.visit_word = offered->word;
+    span.visit_bucket = offered->bucket;
+    span.visit_mask = config_.hidden_removal != HiddenRemoval::kOff ? offered->mask : 0;
+  }
+  span.read = texel.read_ready;
+  span.read_word = texels.cache.read_address();
+  span.read_line = texels.cache.read_line();
+  span.response = texel.response;
+  span.response_line = texel.response_line;
+  if (span.response) span.edges = edges_[texels.cache.address_of(texel.response_line)];
+  span.hint_ready = links_.soon_ready(link.came);
+
+  // ---- The clock's edge ----
+  count(cause_, 1);
+  bool changed = fire || start;
+  changed |= links_.step(link);
+  changed |= spans_.step(span);
+  const bool closing = push && offered->kind == Operation::kEdgesDone;
+  closing_ += closing;
+  closing_ -= take_visit && edges_done;
+  const Operation started = start ? *next : Operation{};
+  const Operation listed = hints ? emptied_.front() : Operation{};
+  if (fire) walk_.fire();
+  if (start) walk_.start(started);
+  changed |= visits_.step(push ? offered : nullptr, take_visit);
+  changed |= soon_.step(hints ? &listed : nullptr, take_emptied);
+  changed |= emptied_.step(emptied ? &of_emptied : nullptr, hints);
+  texels.step(texel);
+  records.step(record);
+  unchanged_ = !changed && texels.cache.unchanged() && records.cache.unchanged();
+  ++now_;
+  return taken;
+}
+
+}  // namespace kagesen::tlm_model::paper
