@@ -11,7 +11,8 @@ struct MutationBlock {
   std::string test;  ///< target of tests/rtl
   std::string dut;   ///< what it verilates
   unsigned mutants;  ///< by default
-  /// Outputs that mean something only while another one is high, where their names do not say so.
+  /// Outputs that mean something only while another one is high, or, as "pin=2", has a value,
+  /// where their names do not say so.
   std::vector<std::pair<std::string, std::string>> qualifiers = {};
 };
 const std::vector<MutationBlock>& mutation_blocks();

@@ -28,7 +28,8 @@ using Tell = std::function<void(const std::string&)>;
 /// One output: where it stands and the bit that says whether it means something.
 struct Field {
   unsigned low, width;
-  int valid = -1;  ///< bit of the outputs; -1: always compared
+  unsigned valid_low = 0, valid_width = 0;  ///< what says so; width 0: always compared
+  unsigned valid_value = 1;
 };
 
 bool ends_with(const std::string& word, const std::string& end) {
@@ -53,16 +54,26 @@ std::string valid_of(const std::string& name, const Recording& recording,
 }
 
 std::vector<Field> fields_of(const Recording& recording, const Qualifiers& qualifiers) {
-  std::map<std::string, unsigned> lows;
+  std::map<std::string, unsigned> lows, widths;
   unsigned low = total_width(recording.outputs);
-  for (const Recording::Pin& pin : recording.outputs) lows[pin.name] = low -= pin.width;
+  for (const Recording::Pin& pin : recording.outputs) {
+    lows[pin.name] = low -= pin.width;
+    widths[pin.name] = pin.width;
+  }
   std::vector<Field> fields;
   for (const Recording::Pin& pin : recording.outputs) {
-    Field field{lows[pin.name], pin.width, -1};
-    const std::string valid = valid_of(pin.name, recording, qualifiers);
+    Field field{lows[pin.name], pin.width};
+    std::string valid = valid_of(pin.name, recording, qualifiers);
+    if (const std::size_t equals = valid.find('='); equals != std::string::npos) {
+      field.valid_value = static_cast<unsigned>(std::stoul(valid.substr(equals + 1)));
+      valid.resize(equals);
+    }
     // A single bit without a stream of its own is control: idle, empty.
     const bool control = pin.width == 1 && valid == "valid_o";
-    if (!valid.empty() && !control) field.valid = static_cast<int>(lows.at(valid));
+    if (!valid.empty() && !control) {
+      field.valid_low = lows.at(valid);
+      field.valid_width = widths.at(valid);
+    }
     fields.push_back(field);
   }
   return fields;
@@ -79,7 +90,11 @@ bool bit_of(const std::string& hex, unsigned bit) {
 std::string care_of(const std::string& outputs, const std::vector<Field>& fields) {
   std::string care(outputs.size(), '0');
   for (const Field& field : fields) {
-    if (field.valid >= 0 && !bit_of(outputs, static_cast<unsigned>(field.valid))) continue;
+    unsigned valid = 0;
+    for (unsigned bit = field.valid_width; bit-- > 0;) {
+      valid = 2 * valid + bit_of(outputs, field.valid_low + bit);
+    }
+    if (field.valid_width > 0 && valid != field.valid_value) continue;
     for (unsigned bit = field.low; bit < field.low + field.width; ++bit) {
       char& c = care[care.size() - 1 - bit / 4];
       const unsigned value = (c <= '9' ? c - '0' : c - 'a' + 10) | 1u << (bit % 4);
@@ -95,11 +110,14 @@ void write_vectors(const Recording& recording, const Qualifiers& qualifiers, std
   std::ifstream in(recording.pins);
   std::ofstream out(file);
   std::size_t beats = 0;
+  bool reset = true;  // has it been? In its first beat Verilator's model has not
   for (std::string line; beats < most && std::getline(in, line);) {
     if (line == "N" || line == "R") {
       out << "R 0 0 0\n";
+      reset = line == "R" || !recording.clocked;
     } else if (const std::size_t gap = line.find(' '); gap != std::string::npos) {
-      out << "B " << line << ' ' << care_of(line.substr(gap + 1), fields) << '\n';
+      out << "B " << line << ' ' << (reset ? care_of(line.substr(gap + 1), fields) : "0") << '\n';
+      reset = true;
       ++beats;
     }
   }
@@ -113,9 +131,19 @@ void run_or_throw(const std::string& what, const std::vector<std::string>& comma
     throw UserError(what, "failed", "see " + log);
 }
 
+/// A constant of Verilog with ones where pin `name` stands in the outputs; none if it is empty.
+std::string ones_at(const Recording& recording, const std::string& name) {
+  std::string bits;
+  for (const Recording::Pin& pin : recording.outputs)
+    bits.append(pin.width, pin.name == name ? '1' : '0');
+  return fmt::format("{}'b{}", bits.size(), bits);
+}
+
 /// Icarus plays the recording to the netlist in `gates.folder`.
+/// @param partial  an output that may hold undefined bits; or empty
 NetlistRun play(const std::string& name, const Recording& recording, const Qualifiers& qualifiers,
-                const GateReport& gates, std::size_t beats, const Tell& tell) {
+                const std::string& partial, const GateReport& gates, std::size_t beats,
+                const Tell& tell) {
   if (!gates.unmapped.empty()) throw UserError(name, "has unmapped cells", "see " + gates.folder);
   const fs::path folder = cache_folder() / "netlist" / name;
   fs::create_directories(folder);
@@ -127,6 +155,7 @@ NetlistRun play(const std::string& name, const Recording& recording, const Quali
       folder / "player.v",
       fill_template(script, {{"TOP", recording.top},
                              {"CONNECTIONS", connections},
+                             {"PARTIAL", ones_at(recording, partial)},
                              {"IN_HIGH", std::to_string(total_width(recording.inputs) - 1)},
                              {"OUT_HIGH", std::to_string(total_width(recording.outputs) - 1)}}));
   tell("Icarus compiles");
@@ -168,7 +197,7 @@ NetlistRun run_netlist(const MutationBlock& block, const std::string& library, s
     if (file != ram_file()) options.sources.push_back(file);
   }
   const GateReport gates = measure_gates(UnitConfig{}, options, tell);
-  return play(block.name, recording, block.qualifiers, gates, beats, tell);
+  return play(block.name, recording, block.qualifiers, "", gates, beats, tell);
 }
 
 NetlistRun run_unit_netlist(const UnitConfig& config, const std::string& library, std::size_t beats,
@@ -181,7 +210,10 @@ NetlistRun run_unit_netlist(const UnitConfig& config, const std::string& library
   GateOptions options;
   options.library = library;
   const GateReport gates = measure_gates(config, options, tell);
-  return play("unit_" + get_field(config, "profile"), recording, {}, gates, beats, tell);
+  // What happens to a cycle of a lane is told of pass 2 alone (docs/rtl.md).
+  const Qualifiers qualifiers{{"lane_cause_o", "pass_o=5"}};
+  return play("unit_" + get_field(config, "profile"), recording, qualifiers, "slb_wr_data_o", gates,
+              beats, tell);  // a record's lines that are not in use
 }
 
 }  // namespace kagesen

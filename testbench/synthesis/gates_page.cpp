@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "testbench/synthesis/fanout.h"
 #include "testbench/synthesis/gates_text.h"
 
 namespace kagesen {
@@ -17,13 +18,18 @@ bits are counted apart. A latch or a cell that stays unmapped fails the run. Ope
 of the mapped netlist.
 
 **Assumed**: memories answer {} ns after the clock and take their inputs {} ns before it; ports are
-registers; no delay on wires, no skew; typical process, 1.8 V, 25 degrees.
+registers; settings stand still while a pass runs; no delay on wires, no skew; typical process, 1.8 V, 25
+degrees. Clock and reset trees are not counted.
 
-**The flow** (`testbench/synthesis/elaborate.ys.in`, `map.ys.in`, `abc.script`). Each module is mapped by itself, so that
-every block has a figure; `--flatten` dissolves them first. ABC gets no `dc2`: it takes the carry chains
-that Yosys lays out as prefix trees apart into ripples. Its area mapper `amap`, on the structural choices
-of `dch`, gives the smallest netlist, and `buffer`, `upsize` and `dnsize` then size it for its loads. Other
-scripts: `kagesen gates --top NAME --abc FILE`; a parameter's price: `kagesen gates --sweep`.
+**The flow** (`testbench/synthesis`: `elaborate.ys.in`, `map.ys.in`, `abc.script`, `join.ys`). Each module is
+mapped by itself, so that every block has a figure, and kept under a hash of its text, so that a run maps
+what has changed; `--flatten` dissolves the blocks first. ABC gets no `dc2`: it takes the carry chains that
+Yosys lays out as prefix trees apart into ripples. Its area mapper `amap`, on the structural choices of `dch`,
+gives the smallest netlist, and `buffer`, `upsize` and `dnsize` then size it for its loads. ABC sees neither
+what a register, a memory or a port drives nor what lies beyond a module: there trees of BUFX4 go in
+(`fanout.h`: more than {} readers; {} a buffer), which the total has and the blocks have not. Other scripts:
+`kagesen gates --top NAME --abc FILE`; a parameter's price: `kagesen gates --sweep`. `kagesen netlist unit`
+plays the netlist, buffers and all, against the Verilog.
 )";
 
 std::string block_table(const GateReport& report) {
@@ -44,14 +50,16 @@ std::string block_table(const GateReport& report) {
 }  // namespace
 
 std::string gates_page(const std::vector<GateReport>& reports, const std::string& command) {
-  std::string text = fmt::format(kHow, command, kRamAccessNs, kRamSetupNs);
+  std::string text =
+      fmt::format(kHow, command, kRamAccessNs, kRamSetupNs, kMostReaders, kMostBuffered);
   for (const GateReport& report : reports) {
     text += fmt::format(
-        "\n## Profile {}\n\n{:.0f} GE, {:.0f} of it in {} flip-flops; {} memory bits; {:.1f} MHz "
+        "\n## Profile {}\n\n{:.0f} GE, {:.0f} of it in {} flip-flops, {:.0f} in buffers; {} memory "
+        "bits; {:.1f} MHz "
         "(longest path {}).\n{}, {}, scripts {}.\n\n{}",
-        report.profile, report.total_ge, report.flop_ge, report.flops, report.memory_bits,
-        report.fmax_mhz, report.critical_path, report.library, report.tools, report.scripts,
-        block_table(report));
+        report.profile, report.total_ge, report.flop_ge, report.flops, report.buffer_ge,
+        report.memory_bits, report.fmax_mhz, report.critical_path, report.library, report.tools,
+        report.scripts, block_table(report));
   }
   return text;
 }
