@@ -22,19 +22,23 @@ PaperUnit::PaperUnit(const sc_core::sc_module_name& name, unsigned lanes)
     : ShadowUnit(name),
       unit_(std::make_shared<unit::ShadowUnit>()),
       golden_(make_golden_paper_engine(unit_)),
+      pass1_("pass1"),
       lanes_(lanes) {}
 
 void PaperUnit::begin(const UnitConfig& config, const FrameSetup& setup, const Timing& timing) {
   config_ = config;
   timed_ = ReadTiming::simple_banks(timing);
   golden_->begin(config, setup);
+  pass1_.begin_frame(config, setup, timing, texel_word_bytes(config), record_bytes(config));
   lanes_.begin_frame(timing);
 }
 
 void PaperUnit::announce(const Fragment* fragments, std::size_t count) {
   golden_->announce(fragments, count);
 }
-void PaperUnit::draw(const Caster* casters, std::size_t count) { golden_->draw(casters, count); }
+void PaperUnit::draw(const Caster* casters, std::size_t count) {
+  pass1_.draw(*unit_, casters, count);
+}
 
 void PaperUnit::decide(const Fragment* fragments, std::size_t count, Verdict* verdicts,
                        FragmentCycles* cycles) {
@@ -52,8 +56,9 @@ void PaperUnit::decide(const Fragment* fragments, std::size_t count, Verdict* ve
 
 CycleReport PaperUnit::cycles() const {
   CycleReport report;
-  // Where SLB records stand in the pool is the store's to say, which is not modelled: banks and rows
-  // of that memory would answer at other times.
+  pass1_.report(report, unit_->counters());
+  // Where SLB records stand in the pool golden does not say: banks and rows of that memory would
+  // answer lanes at other times.
   if (!timed_) return report;
   report.pass2 = lanes_.cycles();
   report.traffic = lanes_.traffic();

@@ -1,11 +1,12 @@
 #pragma once
-/// The paper profile's unit. Pass 1 is golden's alone: its cycles are not modelled.
+/// The paper profile's unit: both passes.
 /// Twin: rtl/common/shadow_unit.sv with rtl/paper.
 #include <memory>
 
 #include "model/unit/shadow_unit.h"
 #include "sim/systemc/common/lanes.h"
 #include "sim/systemc/common/shadow_unit.h"
+#include "sim/systemc/paper/pass1.h"
 #include "sim/systemc/paper/shadow_lane.h"
 
 namespace kagesen::tlm_model::paper {
@@ -26,6 +27,7 @@ class PaperUnit : public ShadowUnit {
  private:
   std::shared_ptr<unit::ShadowUnit> unit_;
   std::unique_ptr<Engine> golden_;
+  Pass1 pass1_;
   Lanes<ShadowLane> lanes_;
   UnitConfig config_;
   bool timed_ = true;
