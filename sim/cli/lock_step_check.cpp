@@ -1,5 +1,6 @@
 #include "sim/cli/lock_step_check.h"
 
+#include <algorithm>
 #include <set>
 
 #include "sim/cli/cycle_check.h"
@@ -75,10 +76,10 @@ void draw_registers(Dice& dice, UnitConfig& c) {
   }
   if (!dice.one_in(4)) return;
   // Hardly any room.
-  c.slb_entries = dice.magnitude(10);
-  c.link_depth = dice.magnitude(3);
-  c.cluster_records = dice.magnitude(10);
-  c.chain_records = dice.magnitude(3);
+  c.slb_entries = std::max<std::int64_t>(1, dice.magnitude(10));
+  c.link_depth = std::max<std::int64_t>(1, dice.magnitude(3));
+  c.cluster_records = std::max<std::int64_t>(1, dice.magnitude(10));
+  c.chain_records = std::max<std::int64_t>(1, dice.magnitude(3));
 }
 
 Timing draw_timing(Dice& dice) {
