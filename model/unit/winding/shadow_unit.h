@@ -36,8 +36,15 @@ class ShadowUnit {
   void settle();
   /// Pass 2: a verdict a fragment.
   void decide(const Fragment* fragments, std::size_t count, Verdict* verdicts);
-  /// The same of one fragment, and what is read for it. @pre settled  @param trail  cleared
-  Verdict decide(const Fragment& fragment, FragmentTrail& trail);
+  struct Tally {  // of pass 2
+    std::uint64_t averted = 0, outside = 0, dark_by_buffer = 0, dark_by_lines = 0;
+    std::uint64_t known = 0, tile_lit = 0, tile_dark = 0, texels = 0, first_test = 0;
+    std::uint64_t lists = 0, clusters = 0, segments = 0;
+  };
+  /// The same of one fragment, and what is read for it; count() what was tallied at the end.
+  /// @pre settled  @param trail  cleared
+  Verdict decide(const Fragment& fragment, FragmentTrail& trail, Tally& tally);
+  void count(const Tally& tally, std::size_t fragments);
 
   const UnitConfig& config() const { return config_; }
   const Widths& widths() const { return widths_; }
@@ -69,11 +76,6 @@ class ShadowUnit {
     return {static_cast<std::uint32_t>(t.base),
             std::uint32_t{t.gradient_x} << 16 | std::uint32_t{t.gradient_y}, object};
   }
-  struct Tally {  // of one call of decide
-    std::uint64_t averted = 0, outside = 0, dark_by_buffer = 0, dark_by_lines = 0;
-    std::uint64_t known = 0, tile_lit = 0, tile_dark = 0, texels = 0, first_test = 0;
-    std::uint64_t lists = 0, clusters = 0, segments = 0;
-  };
 
   // Pass 1
   void walk_edge(const Drawn& facet, int index, unsigned passed, bool inner);
@@ -107,7 +109,6 @@ class ShadowUnit {
   // Pass 2
   bool by_definition(const Fragment& f, std::int32_t x, std::int32_t y) const;
   bool known(const Fragment& f, std::int32_t x, std::int32_t y) const;
-  void count(const Tally& tally, std::size_t fragments);
   Verdict decide_one(const Fragment& fragment, Tally& tally, FragmentTrail* trail);
   Verdict look_up(const Fragment& fragment, std::int32_t x, std::int32_t y, Tally& tally,
                   FragmentTrail* trail);

@@ -67,11 +67,8 @@ void ShadowUnit::decide(const Fragment* fragments, std::size_t count, Verdict* v
   this->count(tally, count);
 }
 
-Verdict ShadowUnit::decide(const Fragment& fragment, FragmentTrail& trail) {
-  Tally tally;
-  const Verdict verdict = decide_one(fragment, tally, &trail);
-  count(tally, 1);
-  return verdict;
+Verdict ShadowUnit::decide(const Fragment& fragment, FragmentTrail& trail, Tally& tally) {
+  return decide_one(fragment, tally, &trail);
 }
 
 void ShadowUnit::count(const Tally& tally, std::size_t fragments) {

@@ -28,36 +28,8 @@ void EarlyDecision::begin_pass(std::uint32_t slots, unsigned map_bits, unsigned 
   waits_.clear();
 }
 
-void EarlyDecision::look_up(Cycle entered, std::uint32_t slot,
-                            const unit::winding::FragmentTrail& trail) {
-  const std::uint32_t tile = (trail.y >> 3) << (map_bits_ - 3) | trail.x >> 3;
-  const bool reads = tiles.has_to_read(tile);
-  const std::uint64_t number = tiles.reads();
-  while (reads && tile_reads_left_ + SharedReads::kWords <= number) {
-    if (!leave_tile() && !come_for_word() && !look_up_word() && !leave_word()) read_word();
-  }
-  Stay& stay = stays_[slot].tile;
-  stay.looked_up = tiles.look_up(entered, reads);
-  stay.read = {0, 0};
-  if (reads) {
-    const Cycle offered = stay.looked_up + 1;
-    while (next_word() <= std::max(free_, offered)) read_word();
-    stay.read = read(offered, std::uint64_t{1} << (2 * map_bits_ - 2) | tile);
-    tiles.read_taken(stay.read.accepted);
-  }
-  const std::uint32_t word = trail.tile_slot << 4 | (trail.y & 7) << 1 | (trail.x >> 2 & 1);
-  inside(entered_++) = {slot, word, trail.reads_texel, !trail.records.empty(), number, kNothing, 0, 0};
-}
-
-void EarlyDecision::move_on() {
-  while (leave_tile() || come_for_word() || look_up_word() || leave_word()) {
-  }
-}
-
-// Each of these lets the next fragment take a step, if it is known when.
-
 /// To the tiles' output, which is free once the one before has come for its word.
-bool EarlyDecision::leave_tile() {
+inline bool EarlyDecision::leave_tile() {
   if (left_tile_ == entered_ || left_tile_ != came_) return false;
   Inside& next = inside(left_tile_++);
   const Stay& tile = stays_[next.slot].tile;
@@ -70,7 +42,7 @@ bool EarlyDecision::leave_tile() {
   return true;
 }
 
-bool EarlyDecision::come_for_word() {
+inline bool EarlyDecision::come_for_word() {
   if (came_ == left_tile_ || came_ != looked_up_) return false;
   Inside& next = inside(came_++);
   next.came = output_ = std::max(next.left_tile + 1, texel_words.open());
@@ -81,7 +53,7 @@ bool EarlyDecision::come_for_word() {
 }
 
 /// A read waits for its turn to be offered.
-bool EarlyDecision::look_up_word() {
+inline bool EarlyDecision::look_up_word() {
   if (looked_up_ == came_) return false;
   Inside& next = inside(looked_up_);
   const bool reads = next.word_number != kNothing;
@@ -95,7 +67,7 @@ bool EarlyDecision::look_up_word() {
   return true;
 }
 
-bool EarlyDecision::leave_word() {
+inline bool EarlyDecision::leave_word() {
   if (left_word_ == looked_up_ || left_word_ == offered_) return false;
   const Inside& next = inside(left_word_++);
   const Stay& word = stays_[next.slot].word;
@@ -112,6 +84,34 @@ bool EarlyDecision::leave_word() {
     slots_.decide(next.slot, left + 4);
   }
   return true;
+}
+
+/// Fragments take a step, those for whom it is known when. False if there is none.
+bool EarlyDecision::move_on() {
+  const bool left_tile = leave_tile(), came = come_for_word(), looked_up = look_up_word(),
+             left_word = leave_word();
+  return left_tile || came || looked_up || left_word;
+}
+
+void EarlyDecision::look_up(Cycle entered, std::uint32_t slot,
+                            const unit::winding::FragmentTrail& trail) {
+  const std::uint32_t tile = (trail.y >> 3) << (map_bits_ - 3) | trail.x >> 3;
+  const bool reads = tiles.has_to_read(tile);
+  const std::uint64_t number = tiles.reads();
+  while (reads && tile_reads_left_ + SharedReads::kWords <= number) {
+    if (!move_on()) read_word();
+  }
+  Stay& stay = stays_[slot].tile;
+  stay.looked_up = tiles.look_up(entered, reads);
+  stay.read = {0, 0};
+  if (reads) {
+    const Cycle offered = stay.looked_up + 1;
+    while (next_word() <= std::max(free_, offered)) read_word();
+    stay.read = read(offered, std::uint64_t{1} << (2 * map_bits_ - 2) | tile);
+    tiles.read_taken(stay.read.accepted);
+  }
+  const std::uint32_t word = trail.tile_slot << 4 | (trail.y & 7) << 1 | (trail.x >> 2 & 1);
+  inside(entered_++) = {slot, word, trail.reads_texel, !trail.records.empty(), number, kNothing, 0, 0};
 }
 
 void EarlyDecision::read_word() {

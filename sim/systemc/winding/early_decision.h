@@ -45,7 +45,8 @@ class EarlyDecision : public sc_core::sc_module {
   void look_up(Cycle entered, std::uint32_t slot, const unit::winding::FragmentTrail& trail);
   /// When the next read of a word is offered; kNever if no fragment here has one to do.
   Cycle next_word() {
-    move_on();
+    while (move_on()) {
+    }
     return offered_ == kNothing ? kNever : stays_[inside(offered_).slot].word.looked_up + 1;
   }
   /// It is read, and its fragment decided on. @pre no tile's read comes before
@@ -74,8 +75,8 @@ class EarlyDecision : public sc_core::sc_module {
 
   static constexpr std::uint64_t kNothing = ~std::uint64_t{0};
 
-  Inside& inside(std::uint64_t number) { return inside_[number % inside_.size()]; }
-  void move_on();
+  Inside& inside(std::uint64_t number) { return inside_[number & (inside_.size() - 1)]; }
+  bool move_on();
   bool leave_tile();
   bool come_for_word();
   bool look_up_word();
@@ -86,7 +87,7 @@ class EarlyDecision : public sc_core::sc_module {
   ListReader& lists_;
   unsigned map_bits_ = 10;
   std::vector<Stays> stays_;       // a slot each
-  std::vector<Inside> inside_;     // a ring
+  std::vector<Inside> inside_;     // a ring, slots being a power of two
   // How many fragments have come so far; none of these is more than the one before.
   std::uint64_t entered_ = 0, left_tile_ = 0, came_ = 0, looked_up_ = 0, left_word_ = 0;
   std::uint64_t tile_reads_left_ = 0, word_reads_left_ = 0;

@@ -45,6 +45,7 @@ class ListReader : public sc_core::sc_module {
     free_ = 0;
   }
   Walk& walk(std::uint32_t slot) { return walks_[slot]; }
+  const Walk& walk(std::uint32_t slot) const { return walks_[slot]; }
 
   void look_up(Cycle at, std::uint32_t slot) {
     walks_[slot].begun = at;

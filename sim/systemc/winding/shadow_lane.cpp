@@ -1,5 +1,8 @@
 #include "sim/systemc/winding/shadow_lane.h"
 
+#include <stdexcept>
+#include <string>
+
 namespace kagesen::tlm_model::winding {
 
 ShadowLane::ShadowLane(const sc_core::sc_module_name& name)
@@ -24,7 +27,7 @@ void ShadowLane::take() {
   Cycle offered = pass_.offers.next(fragments_ == 0 ? kNever : accepted_ + 1);
   if (offered == kNever) offered = 0;
   accepted_ = std::max({offered, unblamed_, entered_});
-  blame_entry(entered_);
+  if (unblamed_ < entered_) blame_entry(entered_);
   blame(accepted_, LaneCause::kInput);
   blame(accepted_ + 1, LaneCause::kFragment);
   early.forget(unblamed_);
@@ -50,6 +53,7 @@ bool ShadowLane::decide_oldest(Cycle until) {
     const Cycle word = early.next_word();
     if (slots.decided(oldest)) return true;
     const Cycle list = lists.next();
+    if (list == kNever && word == kNever) stuck();
     if (std::min(list, word) > until) return false;
     if (word <= list) {
       early.read_word();
@@ -57,6 +61,17 @@ bool ShadowLane::decide_oldest(Cycle until) {
       lists.step();
     }
   }
+}
+
+/// The oldest fragment waits, and nothing is under way that could decide it.
+void ShadowLane::stuck() const {
+  const ListReader::Walk& walk = lists.walk(slots.slot_of(slots.retired()));
+  throw std::logic_error(std::string(name()) + ": stuck. Fragment " +
+                         std::to_string(slots.retired()) + " has read " +
+                         std::to_string(walk.records.size()) + " of " +
+                         std::to_string(walk.trail.records.size()) + " records; " +
+                         std::to_string(fragments_ - slots.retired()) +
+                         " fragments in flight, no read is asked for");
 }
 
 void ShadowLane::retire() {

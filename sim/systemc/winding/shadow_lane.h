@@ -71,6 +71,7 @@ class ShadowLane : public sc_core::sc_module {
 
  private:
   bool decide_oldest(Cycle until);
+  [[noreturn]] void stuck() const;
   void retire();
   void free_slot();
   bool verdict_waits(Cycle at);

@@ -1,8 +1,32 @@
 #include "sim/systemc/winding/shadow_unit.h"
 
+#include <algorithm>
+
 #include "model/golden.h"
+#include "model/unit/winding/plane.h"
 
 namespace kagesen::tlm_model::winding {
+namespace {
+
+/// Of shadow_pkg.sv's words, as bytes.
+struct Words {
+  explicit Words(const UnitConfig& c) {
+    const unit::winding::Widths w(c, kMaxFractionBits);
+    const std::int64_t threshold = w.base_bits() + 2 * w.gradient_code_bits();
+    const std::int64_t list = 2 + 32 + record_addr_bits(c);
+    const std::int64_t tile = 3 + (2 * map_bits(c) - 6) + c.id_bits + 25 + 25 + 24 + 64;
+    const std::int64_t segment = 3 + 4 * (w.end_bits + 1);
+    texel = bytes_of(std::max(4 * (2 + c.id_bits + std::max(threshold, list)), tile));
+    record = bytes_of(threshold + c.id_bits + c.corner_bits + 3 + 4 + record_addr_bits(c) +
+                      c.segments_per_record * segment);
+  }
+  unsigned texel, record;
+
+ private:
+  static unsigned bytes_of(std::int64_t bits) { return static_cast<unsigned>((bits + 7) / 8); }
+};
+
+}  // namespace
 
 WindingUnit::WindingUnit(const sc_core::sc_module_name& name, unsigned lanes)
     : ShadowUnit(name),
@@ -12,6 +36,8 @@ WindingUnit::WindingUnit(const sc_core::sc_module_name& name, unsigned lanes)
 
 void WindingUnit::begin(const UnitConfig& config, const FrameSetup& setup, const Timing& timing) {
   config_ = config;
+  timing_ = timing;
+  timed_ = true;
   golden_->begin(config, setup);
   lanes_.begin_frame(timing);
 }
@@ -24,19 +50,26 @@ void WindingUnit::draw(const Caster* casters, std::size_t count) { golden_->draw
 void WindingUnit::decide(const Fragment* fragments, std::size_t count, Verdict* verdicts,
                          FragmentCycles* cycles) {
   unit_->settle();
+  timed_ = timed_ && (ReadTiming::simple_banks(timing_) || unit_->slb().addresses_known());
   ShadowLane::Pass pass{};
   pass.slots = static_cast<std::uint32_t>(config_.fragment_slots);
-  pass.texel_bytes = pass.slb_bytes = 32;
+  const Words words(config_);
+  pass.texel_bytes = words.texel;
+  pass.slb_bytes = words.record;
   pass.map_bits = static_cast<unsigned>(map_bits(config_));
+  unit::winding::ShadowUnit::Tally tally;
   lanes_.run(pass, fragments, count, verdicts, cycles,
-             [this](const Fragment& fragment, ShadowLane::Trail& trail) {
-               return unit_->decide(fragment, trail);
+             [&](const Fragment& fragment, ShadowLane::Trail& trail) {
+               return unit_->decide(fragment, trail, tally);
              });
+  unit_->count(tally, count);
 }
 
 CycleReport WindingUnit::cycles() const {
   CycleReport report;
+  if (!timed_) return report;
   report.pass2 = lanes_.cycles();
+  report.traffic = lanes_.traffic();
   return report;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-/// The winding profile's unit. Pass 1 is golden's alone: its cycles are not modelled.
+/// The winding profile's unit. Pass 1 is golden's alone: its cycles are not modelled. Nor are pass 2's
+/// where a memory's time depends on addresses and records have been given out again, to whom we do not know.
 /// Twin: rtl/common/shadow_unit.sv with rtl/winding.
 #include <memory>
 
@@ -19,6 +20,7 @@ class WindingUnit : public ShadowUnit {
   void draw(const Caster* casters, std::size_t count) override;
   void decide(const Fragment* fragments, std::size_t count, Verdict* verdicts,
               FragmentCycles* cycles) override;
+  void trace(Timeline* timeline) override { lanes_.trace(timeline); }
   CycleReport cycles() const override;
   const Engine& golden() const override { return *golden_; }
 
@@ -27,6 +29,8 @@ class WindingUnit : public ShadowUnit {
   std::unique_ptr<Engine> golden_;
   Lanes<ShadowLane> lanes_;
   UnitConfig config_;
+  Timing timing_;
+  bool timed_ = true;  // pass 2 of this frame
 };
 
 }  // namespace kagesen::tlm_model::winding
