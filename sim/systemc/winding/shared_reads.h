@@ -64,9 +64,10 @@ class SharedReads : public sc_core::sc_module {
   static constexpr std::uint32_t kNone = ~0u;
 
   static std::uint32_t line_of(std::uint32_t address) {
-    // The upper bits, reversed: by one multiplication for all.
-    const std::uint64_t upper = address >> kLineBits & ((1u << kLineBits) - 1);
-    const auto reversed = static_cast<std::uint32_t>((upper * 0x80200802u & 0x0884422110u) * 0x0101010101u >> 34);
+    std::uint32_t reversed = 0;  // of the upper bits
+    for (unsigned bit = 0; bit < kLineBits; ++bit) {
+      reversed = reversed << 1 | (address >> (kLineBits + bit) & 1);
+    }
     return (address ^ reversed) & ((1u << kLineBits) - 1);
   }
 
