@@ -5,9 +5,9 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "model/cycle_report.h"
 #include "model/fragment_cycles.h"
 #include "model/unit/config.h"
 #include "traces/format/records.h"
@@ -118,48 +118,6 @@ struct UnitCounters {
       0;  ///< objects that share a unit ID with another one they may shadow
   // Winding profile. Its segments count as lines, its clusters as entries.
   SkipCounters skips;
-};
-
-/// Clock cycles of a pass, and where they went.
-struct PassCycles {
-  std::uint64_t total = 0;
-  std::uint64_t items = 0;  ///< pass 1: texels of edges and spans; pass 2: fragments
-  std::vector<std::pair<std::string, std::uint64_t>> causes;  ///< their sum is `total`
-
-  double per_item() const { return items ? double(total) / double(items) : 0; }
-  std::uint64_t of(const std::string& cause) const {
-    for (const auto& [name, cycles] : causes) {
-      if (name == cause) return cycles;
-    }
-    return 0;
-  }
-};
-/// What the lanes read of their memories, whole words.
-struct MemoryTraffic {
-  std::uint64_t texel_reads = 0, texel_bytes = 0;
-  std::uint64_t slb_reads = 0, slb_bytes = 0;
-};
-/// Of an engine that has a clock; what it does not time is absent. Pass 2's causes are those of the
-/// first lane.
-struct CycleReport {
-  std::optional<std::uint64_t> clear;             ///< wiping the memories before the frame
-  std::optional<std::uint64_t> announce, settle;  ///< winding profile: receiver mask; end of pass 1
-  std::optional<PassCycles> pass1, pass2;
-  std::uint64_t edge_texels = 0, span_texels = 0;  ///< of pass 1
-  std::optional<MemoryTraffic> traffic;            ///< of pass 2
-
-  /// Of everything that was timed.
-  std::uint64_t total() const {
-    return clear.value_or(0) + announce.value_or(0) + settle.value_or(0) +
-           (pass1 ? pass1->total : 0) + (pass2 ? pass2->total : 0);
-  }
-  /// Cycles of pass 1 but those that carried out spans. @pre pass1
-  double per_edge_texel() const {
-    return edge_texels ? double(pass1->total - pass1->of("span")) / double(edge_texels) : 0;
-  }
-  double per_span_texel() const {
-    return span_texels ? double(pass1->of("span")) / double(span_texels) : 0;
-  }
 };
 
 class Engine {

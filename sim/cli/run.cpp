@@ -18,6 +18,7 @@
 #include "sim/report/timeline_json.h"
 #include "sim/report/verdicts.h"
 #include "sim/systemc/engine.h"
+#include "testbench/synthesis/gates.h"
 #include "traces/format/error.h"
 
 namespace kagesen {
@@ -70,6 +71,14 @@ void add_fragments(const std::vector<FragmentCycles>& cycles, Timeline& timeline
   }
 }
 
+/// If kagesen gates measured this configuration as it now is.
+std::optional<SynthesisedClock> clock_of(const UnitConfig& config) {
+  const GateOptions options;
+  const std::optional<GateReport> gates = kept_gates(config, options);
+  if (!gates || gates->fmax_mhz == 0) return std::nullopt;
+  return SynthesisedClock{gates->fmax_mhz, options.library};
+}
+
 void run(RunOptions& options) {
   const bool json_to_stdout = options.json == "-";
   Progress progress(!json_to_stdout);
@@ -114,6 +123,7 @@ void run(RunOptions& options) {
   const double load_s = watch.lap();
   RunResult result = simulate(trace, settings.config, options.simulate);
   result.stages_s.insert(result.stages_s.begin(), {"input", load_s});
+  if (result.cycles) result.clock = clock_of(settings.config);
 
   watch.lap();
   if (options.scene_exact) {

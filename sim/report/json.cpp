@@ -185,7 +185,14 @@ Json cycles_json(const Trace& trace, const RunResult& result) {
       pass2["fragment"] =
           fragment_json(fragment_figures(trace, result.fragment_cycles, cycles.pass2->total));
     }
-    if (cycles.traffic) pass2["traffic"] = traffic_json(*cycles.traffic, cycles.pass2->items);
+    if (cycles.pass2->traffic) {
+      pass2["traffic"] = traffic_json(*cycles.pass2->traffic, cycles.pass2->items);
+    }
+  }
+  if (const std::optional<double> frames = result.frames_per_s()) {
+    json["clock"] = {{"fmax_mhz", result.clock->mhz},
+                     {"source", result.clock->source},
+                     {"frames_per_s", *frames}};
   }
   return json;
 }

@@ -20,6 +20,12 @@ struct SceneExact {
   std::optional<SceneExactReport> trace;  ///< the exact ones on the trace: what its making cost
 };
 
+/// The clock that synthesis found for a configuration.
+struct SynthesisedClock {
+  double mhz = 0;
+  std::string source;  ///< "osu018"
+};
+
 struct RunResult {
   UnitConfig config;
   std::string engine;
@@ -29,6 +35,7 @@ struct RunResult {
   UnitCounters counters;
   std::optional<CycleReport> cycles;                     ///< absent where the engine has no clock
   std::vector<FragmentCycles> fragment_cycles;           ///< of pass 2; empty where not kept
+  std::optional<SynthesisedClock> clock;                 ///< absent unless it was measured before
   std::optional<Judgement> judgement;                    ///< absent without the reference
   std::optional<SceneExact> scene_exact;                 ///< absent unless asked for
   std::vector<std::string> warnings;                     ///< the trace's own, then the unit's
@@ -38,6 +45,11 @@ struct RunResult {
   const std::vector<Verdict>& verdicts_in(Semantics semantics) const {
     const bool other = config.profile == Profile::kWinding && semantics != config.semantics;
     return other ? other_verdicts : verdicts;
+  }
+  /// Frames a second at the synthesised clock; nothing where either is not known.
+  std::optional<double> frames_per_s() const {
+    if (!clock || !cycles || !cycles->whole_frame(config.profile == Profile::kWinding)) return std::nullopt;
+    return clock->mhz * 1e6 / double(cycles->total());
   }
   double time_s() const {
     double sum = 0;

@@ -146,10 +146,14 @@ void cycle_rows(Rows& rows, const Trace& trace, const RunResult& result) {
                              cycles.per_span_texel()));
   }
   if (cycles.settle.value_or(0) > 0) rows.add("settle", grouped(*cycles.settle));
+  if (const std::optional<double> frames = result.frames_per_s()) {
+    rows.add("frames a second", fmt::format("{:.1f} at the {:.1f} MHz that kagesen gates found ({})",
+                                            *frames, result.clock->mhz, result.clock->source));
+  }
   if (!cycles.pass2) return;
   rows.add("pass 2", pass_text(*cycles.pass2, "fragment"));
   if (!result.fragment_cycles.empty()) fragment_rows(rows, trace, result);
-  if (const auto& t = cycles.traffic; t && cycles.pass2->items > 0) {
+  if (const auto& t = cycles.pass2->traffic; t && cycles.pass2->items > 0) {
     const auto a_fragment = [&](std::uint64_t n) { return double(n) / double(cycles.pass2->items); };
     rows.add("memory reads",
              fmt::format("{:.3f} texel words and {:.3f} SLB records a fragment, {:.1f} bytes",

@@ -83,13 +83,20 @@ std::size_t write_netlist(const Inputs& in, const std::filesystem::path& folder)
   return buffers;
 }
 
+GateReport read_report(const CacheEntry& entry, const UnitConfig& config) {
+  const std::string text = read_file(entry.folder() / "report.json");
+  GateReport report = gates_from_json(nlohmann::ordered_json::parse(text));
+  report.folder = entry.folder().string();
+  report.profile = get_field(config, "profile");
+  return report;
+}
+
 }  // namespace
 
 GateReport measure_gates(const UnitConfig& config, const GateOptions& options,
                          const std::function<void(const std::string&)>& progress) {
   const Inputs in = inputs_of(config, options);
   CacheEntry entry("gates", in.key());
-  const auto report_file = [&] { return entry.folder() / "report.json"; };
   if (!entry.complete()) {
     entry.keep_unfinished();  // for whoever has to read the tools' words
     write_file(entry.folder() / "shadow_pkg.sv", in.package);
@@ -114,13 +121,20 @@ GateReport measure_gates(const UnitConfig& config, const GateOptions& options,
       report.fmax_mhz = timing.fmax_mhz;
       report.critical_path = timing.from + " -> " + timing.to;
     }
-    write_file(report_file(), gates_json(report).dump(1));
+    write_file(entry.folder() / "report.json", gates_json(report).dump(1));
     entry.commit();
   }
-  GateReport report = gates_from_json(nlohmann::ordered_json::parse(read_file(report_file())));
-  report.folder = entry.folder().string();
-  report.profile = get_field(config, "profile");
-  return report;
+  return read_report(entry, config);
+}
+
+std::optional<GateReport> kept_gates(const UnitConfig& config, const GateOptions& options) {
+  try {
+    const CacheEntry entry("gates", inputs_of(config, options).key());
+    if (entry.complete()) return read_report(entry, config);
+  } catch (const UserError&) {
+    // no tools, no sources, no place to keep anything: then nothing was kept
+  }
+  return std::nullopt;
 }
 
 }  // namespace kagesen

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,5 +64,7 @@ struct GateReport {
 /// @param progress  told what is being done
 GateReport measure_gates(const UnitConfig& config, const GateOptions& options,
                          const std::function<void(const std::string&)>& progress);
+/// What measure_gates() found before and kept; runs no synthesis. Nothing where there is no such result.
+std::optional<GateReport> kept_gates(const UnitConfig& config, const GateOptions& options);
 
 }  // namespace kagesen

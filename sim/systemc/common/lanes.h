@@ -87,10 +87,9 @@ class Lanes {
     out.items = fragments_;
     const auto& causes = lanes_[0]->lane.causes();
     for (std::size_t c = 0; c < causes.size(); ++c) out.causes.emplace_back(kLaneCauses[c], causes[c]);
+    out.traffic = traffic_;
     return out;
   }
-
-  const MemoryTraffic& traffic() const { return traffic_; }
 
  private:
   static constexpr std::uint32_t kDecide = 5;  // shadow_pkg::PassDecide

@@ -61,7 +61,6 @@ CycleReport PaperUnit::cycles() const {
   // answer lanes at other times.
   if (!timed_) return report;
   report.pass2 = lanes_.cycles();
-  report.traffic = lanes_.traffic();
   return report;
 }
 

@@ -69,7 +69,6 @@ CycleReport WindingUnit::cycles() const {
   CycleReport report;
   if (!timed_) return report;
   report.pass2 = lanes_.cycles();
-  report.traffic = lanes_.traffic();
   return report;
 }
 
