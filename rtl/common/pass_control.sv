@@ -33,7 +33,8 @@ module pass_control (
   localparam logic [1:0] Idle = 2'd0, Run = 2'd1, Close = 2'd2, Clear = 2'd3;
   logic [1:0]  state_d, state_q;
   logic [2:0]  pass_q;
-  logic [31:0] left_q, cycles_q;
+  logic [31:0] left_q, cycles_q;  // left_q: without those taken in the cycle before
+  logic [2:0]  items_q;
   logic        finished;
 
   always_comb begin
@@ -60,7 +61,7 @@ module pass_control (
   assign pass_o        = state_q == Idle || state_q == Clear ? shadow_pkg::PassIdle : pass_q;
   assign pass2_o       = pass_q == shadow_pkg::PassDecide;
   assign busy_o        = state_q != Idle;
-  assign waits_o       = left_q != '0;
+  assign waits_o       = left_q != 32'(items_q);
   // What is offered stays offered inside until everything is cleared.
   assign open_o        = (state_q == Run || state_q == Close) && waits_o;
   assign close_o       = state_q == Close || state_q == Clear;
@@ -75,7 +76,7 @@ module pass_control (
     end else begin
       state_q <= state_d;
       `CHECK(no_start_while_busy, !start_i || state_q == Idle)
-      `CHECK(no_more_items_than_counted, state_q != Run || 32'(items_i) <= left_q)
+      `CHECK(no_more_items_than_counted, state_q != Run || 32'(items_i) <= left_q - 32'(items_q))
     end
   end
 
@@ -84,9 +85,11 @@ module pass_control (
       pass_q   <= pass_i;
       left_q   <= pass_i == shadow_pkg::PassAnnounce || pass_i == shadow_pkg::PassDraw ||
                   pass_i == shadow_pkg::PassDecide ? count_i : '0;
+      items_q  <= '0;
       cycles_q <= '0;
     end else if (state_q == Run) begin
-      left_q   <= left_q - 32'(items_i);
+      left_q   <= left_q - 32'(items_q);
+      items_q  <= items_i;
       cycles_q <= cycles_q + 32'd1;
     end
   end

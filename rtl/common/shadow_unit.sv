@@ -77,7 +77,7 @@ module shadow_unit (
   logic        start, abort, busy, open, waits, closing, closed, clear, clear_lanes, counter_clear;
   logic [2:0]  pass_written, items;
   logic [31:0] count, cycles, counter_q;
-  logic [15:0] increment;
+  logic [15:0] increment, increment_q;
   logic [5:0]  counter_select;
   logic        overflow_q;
   logic [4:0]  fraction_bits, buckets_log2;
@@ -131,7 +131,9 @@ module shadow_unit (
 
   always_ff @(posedge clk_i) begin
     overflow_q <= (overflow_q && pass_o != shadow_pkg::PassWipe) || store_events_o.overflow_texel;
-    counter_q  <= counter_clear ? '0 : counter_q + 32'(increment);
+    // A cycle late: what counted is known last.
+    increment_q <= counter_clear ? '0 : increment;
+    counter_q   <= counter_clear ? '0 : counter_q + 32'(increment_q);
   end
 
   // ---- Pass 1 ---------------------------------------------------------------------------------

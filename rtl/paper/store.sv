@@ -1,9 +1,10 @@
 // The store of pass 1: carries out visits strictly in order on the texel and SLB memories, and is alone
 // to write them.
 //
-// A visit hints its texel word and its bucket's record when it enters the queue, and is carried out by
-// silhouette_buffer and texel_buffers when it leaves it. Entries that a triangle's edges leave without
-// a line wait in a list until VisitEdgesDone: with what covers them then, they are erased.
+// A visit's addresses are worked out as it comes; from a short queue it hints its texel word and its
+// bucket's record and enters the queue proper, and is carried out by silhouette_buffer and texel_buffers
+// when it leaves that. Entries that a triangle's edges leave without a line wait in a list until
+// VisitEdgesDone: with what covers them then, they are erased.
 // Twin:    model/unit/shadow_unit_pass1.cpp.
 // Timing:  docs/rtl.md, "What a visit costs".
 `include "check.svh"
@@ -62,40 +63,52 @@ module store (
   localparam int unsigned Texels    = shadow_pkg::TexelsPerWord;
   localparam int unsigned VisitBits = 2 + 2 * MapBits + shadow_pkg::LineBits + 5 * DepthBits + 1 + Texels;
   localparam int unsigned TriBits   = shadow_pkg::IdBits + 2 * DepthBits + 1;
-  localparam int unsigned Depth     = 2 * shadow_pkg::VisitFifoDepth;  // one more than the places' queue holds
+  localparam int unsigned Depth     = 2 * shadow_pkg::VisitFifoDepth;  // at least what both queues hold
+  localparam int unsigned AddrBits  = shadow_pkg::RecordAddrBits + shadow_pkg::TexelAddrBits;
   localparam int unsigned PtrBits   = $clog2(Depth);
   // An outline crosses at most so many texels of the map.
   localparam int unsigned EmptiedDepth = 8 << MapBits;
   localparam int unsigned EmptiedAhead = 32;
-  localparam int unsigned PlaceBits   = 2 + 2 * MapBits;
+  localparam int unsigned PlaceBits   = 2 + 2 * MapBits + AddrBits;
   localparam int unsigned EmptiedBits = 2 * MapBits + DepthBits;
 
-  // ---- Queue: what a visit is stands in a memory, read when its turn comes; where it is, ahead of it.
+  // ---- Queues: what a visit is stands in a memory, read when its turn comes; where it is, ahead of it.
   shadow_pkg::visit_t     visit;
   shadow_pkg::visit_tri_t visit_tri;
   logic [PtrBits-1:0]     head_q, tail_q;
-  logic                   push, place_ready, place_valid, take_place, places_empty, hints_ready;
-  logic [1:0]             place_kind;
-  logic [MapBits-1:0]     place_x, place_y;
-  logic                   texel_hint_ready, record_hint_ready;
+  logic                   push, come_ready, come_valid, come_none, enter;
+  logic                   place_ready, place_valid, take_place, places_empty;
+  logic [1:0]             come_kind, place_kind;
+  logic [MapBits-1:0]     come_x, come_y, place_x, place_y;
+  logic [Texels-1:0]      come_mask;
+  logic                   texel_hint_ready, record_hint_ready, hints_ready;
   logic                   hint_emptied, edges_done;
   logic [MapBits-1:0]     listed_x, listed_y;
-  logic [shadow_pkg::RecordAddrBits-1:0] hint_bucket;
-  logic [shadow_pkg::TexelAddrBits-1:0]  hint_texel;
+  logic [shadow_pkg::RecordAddrBits-1:0] visit_bucket, come_bucket, listed_bucket, place_bucket, hint_bucket;
+  logic [shadow_pkg::TexelAddrBits-1:0]  visit_texel, come_texel, listed_texel, place_texel, hint_texel;
 
-  assign hints_ready   = texel_hint_ready && record_hint_ready;
-  assign visit_ready_o = place_ready && hints_ready && !hint_emptied && !wipe_i;
   // Nothing is to be done for VisitBegin: its triangle comes with every visit.
-  assign push = visit_valid_i && visit_ready_o && visit_i.kind != shadow_pkg::VisitBegin;
+  assign visit_ready_o = come_ready;
+  assign push          = visit_valid_i && come_ready && visit_i.kind != shadow_pkg::VisitBegin;
+  assign hints_ready   = texel_hint_ready && record_hint_ready;
+  assign enter         = come_valid && place_ready && hints_ready && !hint_emptied;
+  assign hint_bucket   = hint_emptied ? listed_bucket : come_bucket;
+  assign hint_texel    = hint_emptied ? listed_texel : come_texel;
 
-  address_generator hint_address (
-    .settings_i, .x_i(hint_emptied ? listed_x : visit_i.x), .y_i(hint_emptied ? listed_y : visit_i.y), .bucket_o(hint_bucket), .texel_o(hint_texel)
+  address_generator visit_address (
+    .settings_i, .x_i(visit_i.x), .y_i(visit_i.y), .bucket_o(visit_bucket), .texel_o(visit_texel)
+  );
+  fifo #(.Width(PlaceBits + Texels), .Depth(2)) coming (
+    .clk_i, .rst_ni, .clear_i, .valid_i(push), .ready_o(come_ready),
+    .data_i({visit_i.kind, visit_i.x, visit_i.y, visit_bucket, visit_texel, visit_i.mask}),
+    .valid_o(come_valid), .ready_i(enter),
+    .data_o({come_kind, come_x, come_y, come_bucket, come_texel, come_mask}), .empty_o(come_none)
   );
   fifo #(.Width(PlaceBits), .Depth(shadow_pkg::VisitFifoDepth)) places (
-    .clk_i, .rst_ni, .clear_i, .valid_i(push), .ready_o(place_ready),
-    .data_i({visit_i.kind, visit_i.x, visit_i.y}),
-    .valid_o(place_valid), .ready_i(take_place), .data_o({place_kind, place_x, place_y}),
-    .empty_o(places_empty)
+    .clk_i, .rst_ni, .clear_i, .valid_i(enter), .ready_o(place_ready),
+    .data_i({come_kind, come_x, come_y, come_bucket, come_texel}),
+    .valid_o(place_valid), .ready_i(take_place),
+    .data_o({place_kind, place_x, place_y, place_bucket, place_texel}), .empty_o(places_empty)
   );
   ram_1r1w #(.Width(TriBits + VisitBits), .Depth(Depth)) visits (
     .clk_i, .write_i(push), .write_addr_i(tail_q), .write_data_i({visit_tri_i, visit_i}),
@@ -108,6 +121,8 @@ module store (
   logic               listed_valid;
   logic [MapBits-1:0] emptied_x, emptied_y, x, y;
   logic [DepthBits-1:0] emptied_depth, listed_depth;
+  logic [shadow_pkg::RecordAddrBits-1:0] emptied_bucket;
+  logic [shadow_pkg::TexelAddrBits-1:0]  emptied_texel;
   logic [PtrBits-1:0] closing_q;  // VisitEdgesDone in the queue
   logic               closing, closed;
 
@@ -117,14 +132,17 @@ module store (
     .valid_o(listed_valid), .ready_i(hint_emptied && hints_ready),
     .data_o({listed_x, listed_y, listed_depth}), .empty_o(list_none)
   );
-  assign hint_emptied = listed_valid && soon_ready && closing_q != '0;
-  fifo #(.Width(EmptiedBits), .Depth(EmptiedAhead)) emptied_soon (
-    .clk_i, .rst_ni, .clear_i, .valid_i(hint_emptied && hints_ready), .ready_o(soon_ready),
-    .data_i({listed_x, listed_y, listed_depth}),
-    .valid_o(emptied_valid), .ready_i(take_emptied), .data_o({emptied_x, emptied_y, emptied_depth}),
-    .empty_o(soon_none)
+  address_generator listed_address (
+    .settings_i, .x_i(listed_x), .y_i(listed_y), .bucket_o(listed_bucket), .texel_o(listed_texel)
   );
-  assign closing = push && visit_i.kind == shadow_pkg::VisitEdgesDone;
+  assign hint_emptied = listed_valid && soon_ready && closing_q != '0;
+  fifo #(.Width(EmptiedBits + AddrBits), .Depth(EmptiedAhead)) emptied_soon (
+    .clk_i, .rst_ni, .clear_i, .valid_i(hint_emptied && hints_ready), .ready_o(soon_ready),
+    .data_i({listed_x, listed_y, listed_depth, listed_bucket, listed_texel}),
+    .valid_o(emptied_valid), .ready_i(take_emptied),
+    .data_o({emptied_x, emptied_y, emptied_depth, emptied_bucket, emptied_texel}), .empty_o(soon_none)
+  );
+  assign closing = enter && come_kind == shadow_pkg::VisitEdgesDone;
   assign closed  = take_place && edges_done;
 
   // ---- The next operation: a visit, or after the edges an emptied entry ---------------------------
@@ -140,10 +158,8 @@ module store (
   assign take_place   = edges_done ? no_emptied && ready : place_valid && ready;
   assign next_x       = edges_done ? emptied_x : place_x;
   assign next_y       = edges_done ? emptied_y : place_y;
-
-  address_generator next_address (
-    .settings_i, .x_i(next_x), .y_i(next_y), .bucket_o(next_bucket), .texel_o(next_texel)
-  );
+  assign next_bucket  = edges_done ? emptied_bucket : place_bucket;
+  assign next_texel   = edges_done ? emptied_texel : place_texel;
 
   // ---- The buffers --------------------------------------------------------------------------------
   logic                 texel_hit, texel_update, texel_ready, texel_set_edge, texel_edge, texel_set_overflow;
@@ -157,8 +173,8 @@ module store (
 
   texel_buffers texels (
     .clk_i, .rst_ni, .clear_i, .settings_i, .wipe_i, .wiped_o(texels_wiped),
-    .hint_valid_i((hint_emptied && hints_ready) || (push && visit_i.kind != shadow_pkg::VisitEdgesDone)),
-     .hint_ready_o(texel_hint_ready),
+    .hint_valid_i((hint_emptied && hints_ready) || (enter && come_kind != shadow_pkg::VisitEdgesDone)),
+    .hint_ready_o(texel_hint_ready),
     .hint_addr_i(hint_texel),
     .lookup_i(start && ready), .lookup_end_i(done), .lookup_addr_i(next_texel), .hit_o(texel_hit),
     .select_i(texel_select), .texel_o(texel), .edges_o(texel_edges),
@@ -175,8 +191,8 @@ module store (
   logic [shadow_pkg::RecordAddrBits-1:0] soon_addr;
   silhouette_buffer records (
     .clk_i, .rst_ni, .clear_i, .settings_i, .wipe_i, .wiped_o(records_wiped),
-    .hint_valid_i((hint_emptied && hints_ready) || (push && visit_i.kind == shadow_pkg::VisitEdge)),
-     .hint_ready_o(record_hint_ready),
+    .hint_valid_i((hint_emptied && hints_ready) || (enter && come_kind == shadow_pkg::VisitEdge)),
+    .hint_ready_o(record_hint_ready),
     .hint_addr_i(hint_bucket), .soon_valid_i(soon_valid), .soon_ready_o(soon_hint_ready), .soon_addr_i(soon_addr), .active_i(active),
     .start_i(start), .ready_o(ready), .kind_i(place_kind), .x_i(next_x), .y_i(next_y),
     .bucket_i(next_bucket), .depth_i(emptied_depth), .visit_i(visit), .tri_i(visit_tri),
@@ -194,16 +210,16 @@ module store (
 
   span_hints spans (
     .clk_i, .rst_ni, .clear_i(clear_i || wipe_i), .settings_i,
-    .visit_i(push && visit_i.kind != shadow_pkg::VisitEdgesDone),
-    .visit_span_i(visit_i.kind == shadow_pkg::VisitSpan && settings_i.hidden_removal != 2'd0),
-    .visit_addr_i(hint_texel), .visit_bucket_i(hint_bucket), .visit_mask_i(visit_i.mask),
+    .visit_i(enter && come_kind != shadow_pkg::VisitEdgesDone),
+    .visit_span_i(come_kind == shadow_pkg::VisitSpan && settings_i.hidden_removal != 2'd0),
+    .visit_addr_i(come_texel), .visit_bucket_i(come_bucket), .visit_mask_i(come_mask),
     .read_i(texel_rd_valid_o && texel_rd_ready_i), .read_addr_i(texel_rd_addr_o), .read_tag_i(texel_rd_tag_o),
     .rsp_valid_i(texel_rsp_valid_i), .rsp_tag_i(texel_rsp_tag_i), .rsp_data_i(texel_rsp_data_i),
     .hint_valid_o(soon_valid), .hint_ready_i(soon_hint_ready), .hint_addr_o(soon_addr)
   );
 
   assign done         = busy_q && ready;
-  assign active       = !(places_empty && list_none && soon_none) || busy_q;
+  assign active       = !(come_none && places_empty && list_none && soon_none) || busy_q;
   assign idle_o       = !active && texels_idle && records_idle;
   assign wiped_o      = texels_wiped && records_wiped;
   assign settled_o    = settle_i && idle_o;

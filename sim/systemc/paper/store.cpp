@@ -12,7 +12,7 @@ namespace {
 enum Cause : unsigned {
   kEdge, kSpan, kOther, kInput, kSetup, kWalk, kTexel, kRecord, kChain, kWrite
 };
-constexpr std::size_t kEmptiedAhead = 32;
+constexpr std::size_t kComing = 2, kEmptiedAhead = 32;
 
 }  // namespace
 
@@ -25,6 +25,7 @@ void Store::reset(const UnitConfig& config) {
       static_cast<unsigned>(bits_for(static_cast<std::uint64_t>((config.map_width + 3) / 4)));
   texels.cache.reset(static_cast<unsigned>(config.texel_lines), true);
   records.cache.reset(static_cast<unsigned>(config.record_lines), false);
+  coming_.reset(kComing);
   visits_.reset(static_cast<std::size_t>(config.visit_fifo_depth));
   emptied_.reset(~std::size_t{0});
   soon_.reset(kEmptiedAhead);
@@ -132,7 +133,7 @@ Cycle Store::finish(Cycle front_idle) {
 }
 
 bool Store::active() const {
-  return !(visits_.empty() && emptied_.empty() && soon_.empty()) || walk_.busy();
+  return !(coming_.empty() && visits_.empty() && emptied_.empty() && soon_.empty()) || walk_.busy();
 }
 bool Store::idle() const { return !active() && texels.cache.idle() && records.cache.idle(); }
 
@@ -251,12 +252,13 @@ bool Store::step(const Operation* offered, bool begins) {
   const bool record_hint_ready = records.cache.hint_ready(record);
   const bool hints_ready = texels.cache.hint_ready(texel) && record_hint_ready;
   const bool hint_emptied = emptied_.valid() && soon_.ready() && closing_ != 0;
-  const bool taken = offered != nullptr && visits_.ready() && hints_ready && !hint_emptied;
-  const bool push = taken && !begins;
+  const bool taken = offered != nullptr && coming_.ready();
   const bool hints = hint_emptied && hints_ready;
-  const Operation* const hinted = hints ? &emptied_.front() : offered;
-  texel.hint = hints || (push && offered->kind != Operation::kEdgesDone);
-  const bool visit_hint = hints || (push && offered->kind == Operation::kEdge);
+  const bool enter = coming_.valid() && visits_.ready() && hints_ready && !hint_emptied;
+  const Operation entering = enter ? coming_.front() : Operation{};
+  const Operation* const hinted = hints ? &emptied_.front() : &entering;
+  texel.hint = hints || (enter && entering.kind != Operation::kEdgesDone);
+  const bool visit_hint = hints || (enter && entering.kind == Operation::kEdge);
   if (texel.hint) texel.hint_address = hinted->word;
   link.hint = visit_hint;
   link.hint_ready = record_hint_ready;
@@ -272,11 +274,11 @@ bool Store::step(const Operation* offered, bool begins) {
   record.hint_weak = !visit_hint;
   record.hint_address = visit_hint ? link.hint_address : follows ? links_.address() : 0;
   SpanHints::Inputs span;
-  span.visit = push && offered->kind != Operation::kEdgesDone;
+  span.visit = enter && entering.kind != Operation::kEdgesDone;
   if (span.visit) {
-    span.visit_word = offered->word;
-    span.visit_bucket = offered->bucket;
-    span.visit_mask = config_.hidden_removal != HiddenRemoval::kOff ? offered->mask : 0;
+    span.visit_word = entering.word;
+    span.visit_bucket = entering.bucket;
+    span.visit_mask = config_.hidden_removal != HiddenRemoval::kOff ? entering.mask : 0;
   }
   span.read = texel.read_ready;
   span.read_word = texels.cache.read_address();
@@ -291,14 +293,15 @@ bool Store::step(const Operation* offered, bool begins) {
   bool changed = fire || start;
   changed |= links_.step(link);
   changed |= spans_.step(span);
-  const bool closing = push && offered->kind == Operation::kEdgesDone;
+  const bool closing = enter && entering.kind == Operation::kEdgesDone;
   closing_ += closing;
   closing_ -= take_visit && edges_done;
   const Operation started = start ? *next : Operation{};
   const Operation listed = hints ? emptied_.front() : Operation{};
   if (fire) walk_.fire();
   if (start) walk_.start(started);
-  changed |= visits_.step(push ? offered : nullptr, take_visit);
+  changed |= visits_.step(enter ? &entering : nullptr, take_visit);
+  changed |= coming_.step(taken && !begins ? offered : nullptr, enter);
   changed |= soon_.step(hints ? &listed : nullptr, take_emptied);
   changed |= emptied_.step(emptied ? &of_emptied : nullptr, hints);
   texels.step(texel);

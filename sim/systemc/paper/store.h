@@ -58,7 +58,7 @@ class Store : public sc_core::sc_module, public VisitTaker {
   UnitConfig config_;
   unsigned pitch_log2_ = 0;
   RecordWalk walk_;
-  Fifo<Operation> visits_, emptied_, soon_;
+  Fifo<Operation> coming_, visits_, emptied_, soon_;
   unsigned closing_ = 0;  // VisitEdgesDone in the queue
   RecordLinks links_;
   SpanHints spans_;
