@@ -11,8 +11,7 @@ struct MutationBlock {
   std::string test;  ///< target of tests/rtl
   std::string dut;   ///< what it verilates
   unsigned mutants;  ///< by default
-  /// Outputs that mean something only while another one is high, or, as "pin=2", has a value,
-  /// where their names do not say so.
+  /// Outputs that mean something only while another one is high (testbench/mutation/care.h).
   std::vector<std::pair<std::string, std::string>> qualifiers = {};
 };
 const std::vector<MutationBlock>& mutation_blocks();

@@ -11,7 +11,24 @@
 namespace kagesen {
 namespace {
 
-std::string miter(const Recording& recording, unsigned mutant) {
+/// "good_o equals bad_o where it means something."
+std::string alike(const Recording& recording, const Qualifiers& qualifiers) {
+  std::string text = "1'b1";
+  for (const CareField& field : care_fields(recording, qualifiers)) {
+    const auto slice = [&](const char* copy) {
+      return fmt::format("{}_o[{} +: {}]", copy, field.low, field.width);
+    };
+    std::string same = fmt::format("{} == {}", slice("good"), slice("bad"));
+    if (field.valid_width > 0) {
+      same += fmt::format(" || good_o[{} +: {}] != {}", field.valid_low, field.valid_width,
+                          field.valid_value);
+    }
+    text += fmt::format("\n      && ({})", same);
+  }
+  return text;
+}
+
+std::string miter(const Recording& recording, const Qualifiers& qualifiers, unsigned mutant) {
   const auto copy = [&](const char* name, unsigned selector) {
     return fmt::format("  {} {} (\n{}    .mutsel(16'd{}),\n{});\n", recording.top, name,
                        recording.clocked ? "    .clk_i(clk_i),\n" : "", selector,
@@ -20,16 +37,17 @@ std::string miter(const Recording& recording, unsigned mutant) {
   const unsigned out = total_width(recording.outputs);
   return fmt::format(
       "module miter (input clk_i, input [{}:0] pins_i);\n  wire [{}:0] good_o, bad_o;\n{}{}"
-      "  always @* assert (good_o == bad_o);\nendmodule\n",
-      total_width(recording.inputs) - 1, out - 1, copy("good", 0), copy("bad", mutant));
+      "  always @* assert ({});\nendmodule\n",
+      total_width(recording.inputs) - 1, out - 1, copy("good", 0), copy("bad", mutant),
+      alike(recording, qualifiers));
 }
 
 }  // namespace
 
-bool proven_equivalent(const Recording& recording, const std::string& folder, unsigned mutant,
-                       double limit_s) {
+bool proven_equivalent(const Recording& recording, const Qualifiers& qualifiers,
+                       const std::string& folder, unsigned mutant, double limit_s) {
   const std::filesystem::path place(folder);
-  write_file(place / "miter.sv", miter(recording, mutant));
+  write_file(place / "miter.sv", miter(recording, qualifiers, mutant));
   const std::string script = read_file(source_folder() + "/testbench/mutation/equivalent.ys.in");
   write_file(place / "equivalent.ys", fill_template(script, {{"RAM", ram_file()}}));
   const std::string log = (place / "equivalent.log").string();

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <regex>
 #include <sstream>
 
+#include "testbench/mutation/care.h"
 #include "testbench/tools/cache.h"
 #include "testbench/tools/process.h"
 #include "testbench/tools/rtl_sources.h"
@@ -134,12 +136,14 @@ void read_kills(const fs::path& file, MutationResult& result) {
 // ---- Results are kept: a run that was stopped goes on with the next block.
 // -----------------------
 
-std::string key_of(const Recording& recording, unsigned count, double limit_s) {
+std::string key_of(const Recording& recording, const MutationBlock& block, unsigned count,
+                   double limit_s) {
   ContentKey key;
   key.add("count", fmt::format("{} {}", count, limit_s)).add("pins", read_file(recording.pins));
   for (const std::string& source : sources_of(recording)) key.add("source", read_file(source));
   for (const auto& [name, value] : recording.parameters) key.add(name, value);
-  for (const char* file : {"mutants.ys.in", "equivalent.ys.in", "player.cpp"}) {
+  for (const auto& [data, valid] : block.qualifiers) key.add(data, valid);
+  for (const char* file : {"mutants.ys.in", "equivalent.ys.in", "care.cpp", "player.cpp"}) {
     key.add(file, read_file(source_folder() + "/testbench/mutation/" + file));
   }
   return key.hex();
@@ -187,7 +191,7 @@ MutationResult mutate(const MutationBlock& block, unsigned count, double limit_s
   tell("recording " + block.test);
   const Recording recording = record(block);
   const fs::path folder = cache_folder() / "mutation" / block.name;
-  const std::string key = key_of(recording, count, limit_s);
+  const std::string key = key_of(recording, block, count, limit_s);
   MutationResult kept;
   kept.block = block.name;
   if (take_kept(key, folder, kept)) return kept;
@@ -201,15 +205,24 @@ MutationResult mutate(const MutationBlock& block, unsigned count, double limit_s
   tell("building");
   build_player(recording, folder);
   tell("running");
+  write_vectors(recording, block.qualifiers, std::numeric_limits<std::size_t>::max(),
+                folder / "vectors.txt");
   run_or_throw("the mutants of " + block.name,
-               {(folder / "player" / "player").string(), recording.pins,
+               {(folder / "player" / "player").string(), "vectors.txt",
                 std::to_string(result.mutants.size())},
                folder, "kills.txt");
   read_kills(folder / "kills.txt", result);
+  fs::remove(folder / "vectors.txt");
+  if (result.unlike > 0) {
+    throw UserError(block.name,
+                    fmt::format("{} beats of the replay are not as recorded", result.unlike),
+                    "qualify what means nothing in testbench/mutation/blocks.cpp");
+  }
   for (Mutant& mutant : result.mutants) {
     if (mutant.killed_at >= 0) continue;
     tell(fmt::format("is mutant {} equivalent?", mutant.number));
-    mutant.equivalent = proven_equivalent(recording, folder.string(), mutant.number, limit_s);
+    mutant.equivalent =
+        proven_equivalent(recording, block.qualifiers, folder.string(), mutant.number, limit_s);
   }
   keep(result, key, folder / "result.txt");
   return result;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "testbench/mutation/recording.h"
+#include "testbench/mutation/care.h"
 
 namespace kagesen {
 
@@ -19,7 +19,7 @@ struct MutationResult {
   std::string block;
   std::vector<Mutant> mutants;
   std::size_t beats = 0;   ///< of the recording
-  std::size_t unlike = 0;  ///< beats in which the replay is not what was recorded (undefined data)
+  std::size_t unlike = 0;  ///< beats in which the replay is not what was recorded
   std::size_t killed() const;
   std::size_t equivalent() const;
   std::size_t survivors() const { return mutants.size() - killed() - equivalent(); }
@@ -31,10 +31,11 @@ struct MutationResult {
 MutationResult mutate(const MutationBlock& block, unsigned count, double limit_s,
                       const std::function<void(const std::string&)>& progress);
 
-/// Is the mutant the same as the block, for runs of any length from a state of zeros?
+/// Is the mutant the same as the block wherever outputs mean something, for runs of any length from
+/// a state of zeros?
 /// @param folder  where mutants.v is
-bool proven_equivalent(const Recording& recording, const std::string& folder, unsigned mutant,
-                       double limit_s);
+bool proven_equivalent(const Recording& recording, const Qualifiers& qualifiers,
+                       const std::string& folder, unsigned mutant, double limit_s);
 
 /// The table of docs/mutation.md.
 std::string mutation_page(const std::vector<MutationResult>& results, const std::string& command);

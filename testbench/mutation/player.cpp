@@ -1,8 +1,8 @@
 /// Replays recorded pins on a design with mutants behind a selector: which of them differ, and
 /// when.
 ///
-///   player PINS MUTANTS     prints "NUMBER BEAT" for a mutant that differs, "NUMBER -" for others,
-///                           and "reference DIFFERENT OF" for the outputs against the recorded ones
+///   player VECTORS MUTANTS  prints "NUMBER BEAT" for a mutant that differs, "NUMBER -" for others,
+///                          and "reference DIFFERENT OF" for the outputs against the recorded ones
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -18,8 +18,8 @@ namespace {
 using Words = std::vector<std::uint32_t>;
 
 struct Line {
-  char kind;  ///< N, R or B(eat)
-  Words inputs, outputs;
+  char kind;                    ///< N, R or B(eat)
+  Words inputs, outputs, care;  ///< care: bits of the outputs that mean something
 };
 
 Words words_of(const std::string& hex, unsigned bits) {
@@ -35,15 +35,19 @@ Words words_of(const std::string& hex, unsigned bits) {
 std::vector<Line> read_lines(const char* path) {
   std::vector<Line> lines;
   std::ifstream in(path);
-  for (std::string text; std::getline(in, text);) {
-    if (text == "N" || text == "R") {
-      lines.push_back({text[0], {}, {}});
-    } else if (const std::size_t gap = text.find(' '); gap != std::string::npos) {
-      lines.push_back(
-          {'B', words_of(text.substr(0, gap), PINS_IN), words_of(text.substr(gap + 1), PINS_OUT)});
-    }
+  std::string kind, inputs, outputs, care;
+  while (in >> kind >> inputs >> outputs >> care) {
+    lines.push_back({kind[0], words_of(inputs, PINS_IN), words_of(outputs, PINS_OUT),
+                     words_of(care, PINS_OUT)});
   }
   return lines;
+}
+
+bool alike(const Words& a, const Words& b, const Words& care) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (((a[i] ^ b[i]) & care[i]) != 0) return false;
+  }
+  return true;
 }
 
 /// Calls `beat` with the outputs of every beat until it says no.
@@ -87,15 +91,15 @@ int main(int argc, char** argv) {
   std::vector<Words> reference;
   std::size_t different = 0;
   replay(lines, 0, [&](std::size_t, const Line& line, const Words& outputs) {
-    different += outputs != line.outputs;
+    different += !alike(outputs, line.outputs, line.care);
     reference.push_back(outputs);
     return true;
   });
   std::printf("reference %zu %zu\n", different, reference.size());
   for (unsigned mutant = 1; mutant <= mutants; ++mutant) {
     long killed = -1;
-    replay(lines, mutant, [&](std::size_t beat, const Line&, const Words& outputs) {
-      if (outputs == reference[beat]) return true;
+    replay(lines, mutant, [&](std::size_t beat, const Line& line, const Words& outputs) {
+      if (alike(outputs, reference[beat], line.care)) return true;
       killed = static_cast<long>(beat);
       return false;
     });

@@ -47,10 +47,14 @@ Recording record(const MutationBlock& block) {
   const fs::path pins = build / "pins";
   fs::create_directories(pins);
   const std::string cmake = find_tool("cmake", "cmake");
-  run_or_throw("configuring with recorders",
-               {cmake, "-S", source_folder(), "-B", build.string(), "-G", "Ninja",
-                "-DCMAKE_BUILD_TYPE=Release", "-DKAGESEN_RECORD=ON"},
-               build, build / "configure.log");
+  static bool configured = false;  // by this process
+  if (!configured) {
+    run_or_throw("configuring with recorders",
+                 {cmake, "-S", source_folder(), "-B", build.string(), "-G", "Ninja",
+                  "-DCMAKE_BUILD_TYPE=Release", "-DKAGESEN_RECORD=ON"},
+                 build, build / "configure.log");
+    configured = true;
+  }
   run_or_throw("building " + block.test,
                {cmake, "--build", build.string(), "--target", block.test, "-j", "2"}, build,
                build / (block.test + ".build.log"));

@@ -54,7 +54,7 @@ else()
 endif()
 set(on_reset)
 if(reset AND clocked)
-  set(on_reset "  always @(negedge rst_ni) if (file != 0) $fdisplay(file, \"R\");\n")
+  set(on_reset "  always @(negedge rst_ni) if (file != 0) begin\n    $fdisplay(file, \"R\");\n    $fflush(file);\n  end\n")
 endif()
 file(WRITE ${OUT}/${TARGET}.manifest "${manifest}clocked ${clocked}\n")
 file(WRITE ${OUT}/${TARGET}_recorder.sv "/* verilator lint_off WIDTH */
@@ -73,11 +73,14 @@ ${declarations}
     if (kagesen_record_file(\"${TARGET}\") != \"\") begin
       file = $fopen(kagesen_record_file(\"${TARGET}\"), \"a\");
       $fdisplay(file, \"N\");
+      $fflush(file);
     end
   end
 ${on_reset}  ${when}
-    if (file != 0 && kagesen_record_more(\"${TARGET}\") != 0)
+    if (file != 0 && kagesen_record_more(\"${TARGET}\") != 0) begin
       $fdisplay(file, \"%h %h\", {${inputs}}, {${outputs}});
+      $fflush(file);  // the next instance writes behind it
+    end
 endmodule
 bind ${TOP} ${TARGET}_recorder recorder (.*);
 ")
