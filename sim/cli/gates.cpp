@@ -21,6 +21,7 @@ struct GatesArguments {
   GateOptions gates;
   std::string json, page;
   bool sweep = false;
+  std::size_t paths = 0;
 };
 
 /// What --sweep varies: one key at a time, all others as configured.
@@ -128,7 +129,10 @@ void run_gates(const GatesArguments& arguments) {
   const GateReport report = measure_gates(
       config, arguments.gates, [&](const std::string& stage) { progress.update(stage, 0); });
   progress.clear();
-  if (arguments.json != "-") std::cout << gates_table(report);
+  if (arguments.json != "-") {
+    std::cout << gates_table(report);
+    if (arguments.paths > 0) std::cout << paths_table(report, arguments.paths);
+  }
   if (!arguments.json.empty()) write_json(arguments.json, gates_json(report));
   if (!report.unmapped.empty()) throw CLI::RuntimeError(1);
 }
@@ -150,6 +154,8 @@ void add_gates(CLI::App& app) {
   command
       .add_option("--json", arguments->json, "Writes the figures as JSON; - for standard output")
       ->type_name("FILE");
+  command.add_option("--paths", arguments->paths, "Prints the N longest paths, one to each register")
+      ->type_name("N");
   command.add_flag("--sweep", arguments->sweep, "What each parameter costs, one varied at a time");
   command.add_option("--page", arguments->page, "Writes both profiles' tables, docs/gates.md")
       ->type_name("FILE");

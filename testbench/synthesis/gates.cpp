@@ -34,7 +34,7 @@ struct Inputs {
   }
   std::string key() const {
     ContentKey key;
-    key.add("version", "3").add("package", package).add("scripts", script_hash());
+    key.add("version", "4").add("package", package).add("scripts", script_hash());
     key.add("top", mapping.top).add("parameters", mapping.parameters).add("tools", mapping.tools);
     key.add("liberty", read_file(library.liberty)).add("ram", read_file(ram_file()));
     key.add("assumed", fmt::format("{} {} {}", kRamAccessNs, kRamSetupNs, kTargetMhz));
@@ -120,6 +120,7 @@ GateReport measure_gates(const UnitConfig& config, const GateOptions& options,
       const Timing timing = measure_timing(entry.folder(), options.top, in.library, in.sta);
       report.fmax_mhz = timing.fmax_mhz;
       report.critical_path = timing.from + " -> " + timing.to;
+      report.paths = timing.paths;
     }
     write_file(entry.folder() / "report.json", gates_json(report).dump(1));
     entry.commit();

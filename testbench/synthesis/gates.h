@@ -43,6 +43,13 @@ struct BlockReport {
   std::uint64_t memory_bits = 0;  ///< with all that it holds
 };
 
+/// The longest path to a register, a port or a pin of a memory, whichever bit of it.
+struct PathReport {
+  std::string from, to;
+  double ns = 0;           ///< with the end's setup time
+  std::uint64_t bits = 0;  ///< of the end
+};
+
 struct GateReport {
   double total_ge = 0, fmax_mhz = 0;
   double flop_ge = 0;    ///< of the total, flip-flops
@@ -53,6 +60,7 @@ struct GateReport {
   std::map<std::string, BlockReport> blocks;
   std::vector<MemoryReport> memories;
   std::string critical_path;  ///< "from -> to"
+  std::vector<PathReport> paths;  ///< to every end, longest first
   std::string profile, top, library, tools, scripts;
   double nand2_area = 0;
   bool flattened = false;

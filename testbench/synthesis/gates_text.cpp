@@ -50,6 +50,11 @@ Json gates_json(const GateReport& report) {
                                 {"bits", memory.bits()}});
   }
   json["critical_path"] = report.critical_path;
+  json["paths"] = Json::array();
+  for (const PathReport& path : report.paths) {
+    json["paths"].push_back(
+        {{"from", path.from}, {"to", path.to}, {"ns", rounded(path.ns)}, {"bits", path.bits}});
+  }
   json["library"] = report.library;
   json["nand2_area"] = report.nand2_area;
   json["tools"] = report.tools;
@@ -82,6 +87,9 @@ GateReport gates_from_json(const Json& json) {
     report.memories.push_back({memory.at("path"), memory.at("width"), memory.at("depth")});
   }
   report.critical_path = json.at("critical_path");
+  for (const auto& path : json.at("paths")) {
+    report.paths.push_back({path.at("from"), path.at("to"), path.at("ns"), path.at("bits")});
+  }
   report.library = json.at("library");
   report.nand2_area = json.at("nand2_area");
   report.tools = json.at("tools");
@@ -118,6 +126,15 @@ std::string gates_table(const GateReport& report) {
       "skew\n{}\n",
       report.library, report.nand2_area, report.tools, report.scripts,
       report.flattened ? "flattened" : "hierarchy kept", kRamAccessNs, kRamSetupNs, report.folder);
+  return text;
+}
+
+std::string paths_table(const GateReport& report, std::size_t most) {
+  std::string text = fmt::format("\n{:>7}{:>6}  {}\n", "ns", "bits", "longest path to, from");
+  for (std::size_t i = 0; i < std::min(most, report.paths.size()); ++i) {
+    const PathReport& path = report.paths[i];
+    text += fmt::format("{:>7.2f}{:>6}  {}, {}\n", path.ns, path.bits, path.to, path.from);
+  }
   return text;
 }
 

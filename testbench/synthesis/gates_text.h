@@ -12,6 +12,8 @@ nlohmann::ordered_json gates_json(const GateReport& report);
 /// Of what gates_json() wrote; throws what nlohmann::json throws where it did not.
 GateReport gates_from_json(const nlohmann::ordered_json& json);
 std::string gates_table(const GateReport& report);
+/// The longest paths, of each end its own.
+std::string paths_table(const GateReport& report, std::size_t most);
 
 /// docs/gates.md: how it is measured, and a table for each report.
 std::string gates_page(const std::vector<GateReport>& reports, const std::string& command);

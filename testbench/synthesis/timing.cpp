@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <regex>
 #include <sstream>
 #include <vector>
@@ -144,6 +145,29 @@ std::string match(const std::string& text, const std::string& pattern) {
   return std::regex_search(text, found, std::regex(pattern)) ? found[1].str() : std::string();
 }
 
+/// "store.cache.lookup_q[5]_cell/D" is a bit of "store.cache.lookup_q"; pins of memories keep theirs.
+std::string without_bit(const std::string& pin) {
+  static const std::regex bit(R"(\[\d+\])"), cell("_cell(/.*)?$");
+  return std::regex_replace(std::regex_replace(pin, bit, ""), cell, "");
+}
+
+/// Of a summary: a line for each end.
+std::vector<PathReport> paths_of(const std::string& text, double period) {
+  static const std::regex line(R"((\S+) \(\S+\)\s+(\S+) \(\S+\)\s+(-?[\d.]+))");
+  std::vector<PathReport> paths;
+  std::map<std::string, std::size_t> known;
+  std::istringstream lines(text);
+  for (std::string one; std::getline(lines, one);) {
+    std::smatch found;
+    if (!std::regex_match(one, found, line)) continue;
+    const std::string to = without_bit(found[2]);
+    const auto [at, fresh] = known.insert({to, paths.size()});
+    if (fresh) paths.push_back({without_bit(found[1]), to, period - std::stod(found[3]), 0});
+    ++paths[at->second].bits;
+  }
+  return paths;
+}
+
 }  // namespace
 
 Timing measure_timing(const std::filesystem::path& folder, const std::string& top,
@@ -174,6 +198,7 @@ Timing measure_timing(const std::filesystem::path& folder, const std::string& to
   timing.fmax_mhz = longest > 0 ? 1000 / longest : 0;
   timing.from = match(text, "Startpoint: (\\S+)");
   timing.to = match(text, "Endpoint: (\\S+)");
+  timing.paths = paths_of(text, kPeriodNs);
   return timing;
 }
 
