@@ -67,9 +67,10 @@ module gradient_encoder #(
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      state_q <= Idle;
-      taken_q <= 2'd0;
-      done_q  <= 1'b0;
+      state_q    <= Idle;
+      taken_q    <= 2'd0;
+      done_q     <= 1'b0;
+      exponent_q <= '0;
     end else if (clear_i) begin
       state_q <= Idle;
       taken_q <= 2'd0;
@@ -77,10 +78,14 @@ module gradient_encoder #(
     end else begin
       unique case (state_q)
         Idle: if (valid_i && ready_o) begin
-          state_q <= Absolute;
-          taken_q <= taken_q + 2'd1;
+          state_q    <= Absolute;
+          taken_q    <= taken_q + 2'd1;
+          exponent_q <= '0;
         end
-        Normalise: if (fits) state_q <= Spread;
+        Normalise: begin
+          if (fits) state_q <= Spread;
+          else exponent_q <= exponent_q + 1'b1;
+        end
         Spread: if (left_q == '0) state_q <= True;
         default: state_q <= state_q + 3'd1;  // Rounding: to Idle
       endcase
@@ -94,15 +99,13 @@ module gradient_encoder #(
         negative_q <= gradient_i[SizeBits];
         size_q     <= gradient_i;
         shift_q    <= '0;
-        exponent_q <= '0;
       end
       Absolute: if (negative_q) size_q <= less;
       Load: shift_q <= size_q;
       Normalise: begin
         left_q <= exponent_q;
         if (!fits) begin
-          shift_q    <= shift_q >> 1;
-          exponent_q <= exponent_q + 1'b1;
+          shift_q <= shift_q >> 1;
         end else begin
           shift_q  <= {{(SizeBits-M-1-Step){1'b0}}, mantissa, {Step{1'b0}}};
           code_y_q <= {negative_q && code != '0, code};

@@ -27,10 +27,10 @@ module record_pool (
   localparam int unsigned A = shadow_pkg::RecordAddrBits;
   localparam int unsigned LimitBits = shadow_pkg::LimitBits;
   logic [A-1:0]         spare_q, free_q;
-  logic                 spare_valid_q, free_valid_q, fresh;
+  logic                 cleared_q, spare_valid_q, free_valid_q, fresh;  // cleared_q: before that the limit is not set
   logic [A:0]           fresh_q;  // records from here on were never in use
   logic [LimitBits-1:0] used_q;
-  assign fresh         = LimitBits'(fresh_q) < record_limit_i;
+  assign fresh         = cleared_q && LimitBits'(fresh_q) < record_limit_i;
   assign spare_o       = spare_q;
   assign spare_ready_o = spare_valid_q || fresh;
   assign free_o        = free_q;
@@ -40,11 +40,13 @@ module record_pool (
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
+      cleared_q     <= 1'b0;
       spare_valid_q <= 1'b0;
       free_valid_q  <= 1'b0;
       fresh_q       <= '0;
       used_q        <= '0;
     end else if (clear_i) begin
+      cleared_q     <= 1'b1;
       spare_valid_q <= 1'b0;
       free_valid_q  <= 1'b0;
       fresh_q       <= '0;

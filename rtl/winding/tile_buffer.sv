@@ -192,7 +192,7 @@ module tile_buffer (
     summed              = waiting;
     summed.object_valid = sum_covered_i;
     summed.several      = sum_covered_i && sum_several_i;
-    summed.object       = sum_object_i;
+    summed.object       = sum_covered_i ? sum_object_i : '0;
     summed.farthest     = sum_covered_i ? sum_farthest_i : None;
   end
   assign sum_ready_o = wr_ready_i;
