@@ -93,6 +93,7 @@ TEST_F(CliSystemc, ExplainsInFiveLines) {
                           .at("cycles");
   EXPECT_EQ(json.at("cycles").get<std::uint64_t>(),  // wiping is no bottleneck
             cycles.at("pass1").at("total").get<std::uint64_t>() +
+                cycles.at("settle").get<std::uint64_t>() +
                 cycles.at("pass2").at("total").get<std::uint64_t>());
 }
 

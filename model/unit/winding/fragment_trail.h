@@ -11,7 +11,7 @@ struct FragmentTrail {
   std::uint32_t x = 0, y = 0;  ///< its texel
   std::uint32_t tile_slot = 0;
   struct Record {
-    std::uint32_t address;
+    std::uint32_t address;  ///< golden: its number, as records were given out
     std::uint32_t boxed;  ///< of its segments: how many have the fragment within their box
   };
   std::vector<Record> records;  ///< that are read; none where the texel decides

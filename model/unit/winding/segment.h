@@ -23,6 +23,7 @@ struct Segment {
   /// Rounded to one point, which the winding number does not see: only who is near it does.
   bool dot() const { return x0 == x1 && y0 == y1 && !crosses_left(); }
   bool inner() const { return (flags & kInner) != 0; }
+  bool may_meet() const { return inner() || dot(); }
   bool same_ends(const Segment& s) const {
     return x0 == s.x0 && y0 == s.y0 && x1 == s.x1 && y1 == s.y1;
   }

@@ -29,11 +29,15 @@ class ShadowUnit {
  public:
   void begin(const UnitConfig& config, const FrameSetup& setup);
   void announce(const Fragment* fragments, std::size_t count);  ///< receiver mask
+  /// Which texel of the map a fragment is announced in; false if its verdict is known.
+  bool place(const Fragment& fragment, TriangleTrail::Texel& texel) const;
   void draw(const Caster& caster);                              ///< pass 1
   /// The same, and what was done. @param trail  cleared
   void draw(const Caster& caster, TriangleTrail& trail);
   /// Ends pass 1: clusters without segments become covers, tiles are summed up. Idempotent.
   void settle();
+  /// The same, and what was done. @param trail  cleared
+  void settle(SettleTrail& trail);
   /// Pass 2: a verdict a fragment.
   void decide(const Fragment* fragments, std::size_t count, Verdict* verdicts);
   struct Tally {  // of pass 2
@@ -91,6 +95,7 @@ class ShadowUnit {
              Visit& out);
 
   // Pass 1, within a texel
+  bool same_plane(const Visit& visit, std::uint32_t object);
   void add(const Visit& visit, std::uint32_t object, bool corner, const Segment* segment);
   void cover(const Visit& visit, std::uint32_t object);
   void overflow(const Visit& visit, std::uint32_t object);
@@ -147,7 +152,11 @@ class ShadowUnit {
   std::unordered_map<std::uint32_t, OftenRead> indices_;  // pass 2, by the list's head
   bool settled_ = true;
   UnitCounters counters_;
-  TriangleTrail* trail_ = nullptr;  // of the facet being drawn, or null
+  void note_visit(const Texel& texel, std::int64_t nearest, std::uint32_t object, bool is_hidden);
+  TexelVisit* note() { return trail_ == nullptr ? nullptr : &trail_->visits.back(); }
+  TriangleTrail* trail_ = nullptr;         // of the facet being drawn, or null
+  SettleTrail* settle_trail_ = nullptr;    // while settling, or null
+  std::vector<std::uint32_t>* dropped_ = nullptr;  // clusters that are hidden now, or null
 };
 
 }  // namespace kagesen::unit::winding

@@ -4,6 +4,14 @@
 #include "model/unit/winding/shadow_unit.h"
 
 namespace kagesen::unit::winding {
+namespace {
+
+/// A bound of a tile's depths, as it is stored.
+std::int64_t clamped(std::int64_t depth) {
+  return std::clamp<std::int64_t>(depth, -1, (std::int64_t{1} << 24) - 1);
+}
+
+}  // namespace
 
 void ShadowUnit::begin(const UnitConfig& config, const FrameSetup& setup) {
   config_ = config;
@@ -51,11 +59,19 @@ void ShadowUnit::announce(const Fragment* fragments, std::size_t count) {
   tile->last_fragment = std::max(tile->last_fragment, last);
 }
 
+bool ShadowUnit::place(const Fragment& fragment, TriangleTrail::Texel& texel) const {
+  texel.x = (fragment.position.x >> widths_.texel_bits) + centre_x_;
+  texel.y = (fragment.position.y >> widths_.texel_bits) + centre_y_;
+  return !known(fragment, texel.x, texel.y);
+}
+
 void ShadowUnit::draw(const Caster& caster, TriangleTrail& trail) {
   trail.clear();
   trail_ = &trail;
+  dropped_ = &trail.dropped;
   draw(caster);
   trail_ = nullptr;
+  dropped_ = nullptr;
 }
 
 void ShadowUnit::draw(const Caster& caster) {
@@ -101,6 +117,7 @@ void ShadowUnit::begin_trail(const Drawn& facet) {
   });
   const std::int32_t x = low.x >> widths_.texel_bits, y = low.y >> widths_.texel_bits;
   trail_->flat = false;
+  trail_->object = facet.object;
   trail_->twice_area = facet.polygon.twice_area();
   trail_->plane = facet.plane.figures(facet.caster, x, y);
   trail_->low = {x + centre_x_, y + centre_y_};
@@ -201,20 +218,37 @@ bool ShadowUnit::visit(std::uint32_t x, std::uint32_t y, const Threshold& thresh
   Tile& tile = texels_.tile(x, y);
   const ThresholdPlane plane(threshold, widths_);
   const std::int64_t nearest = plane.nearest();
+  if (trail_ != nullptr) trail_->visits.emplace_back().threshold = threshold;
   if (config_.skip_receiver_mask &&
       ((tile.occupied >> TexelBuffers::within(x, y) & 1) == 0 || nearest >= tile.last_fragment)) {
     ++counters_.skips.masked_visits;
+    if (trail_ != nullptr) note()->masked = true;
     return false;
   }
   if (tile.slot == Tile::kUntouched) texels_.touch(tile);
+  if (trail_ != nullptr) note()->nearest = clamped(nearest) < clamped(tile.nearest);
   tile.nearest = std::min(tile.nearest, nearest);
   Texel& texel = texels_.texel(tile, x, y);
-  if (hidden(texel, nearest, object)) {
+  const bool is_hidden = hidden(texel, nearest, object);
+  if (trail_ != nullptr) note_visit(texel, nearest, object, is_hidden);
+  if (is_hidden) {
     ++counters_.skips.hidden_visits;
     return false;
   }
   out = {&texel, texels_.index(tile, x, y), threshold, plane.farthest()};
   return true;
+}
+
+void ShadowUnit::note_visit(const Texel& texel, std::int64_t nearest, std::uint32_t object,
+                            bool is_hidden) {
+  TexelVisit& visit = *note();
+  if (!texel.has_list()) {
+    if (is_hidden) visit.plane = TexelVisit::Plane::kLeaves;
+  } else if (texel.object != Texel::kNobody && nearest >= texel.cover.base) {
+    visit.behind = !paper_ || texel.object == object ? TexelVisit::Behind::kOfItsObject
+                   : is_hidden                       ? TexelVisit::Behind::kHidden
+                                                     : TexelVisit::Behind::kShown;
+  }
 }
 
 }  // namespace kagesen::unit::winding

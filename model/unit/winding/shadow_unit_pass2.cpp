@@ -4,6 +4,15 @@
 
 namespace kagesen::unit::winding {
 
+void ShadowUnit::settle(SettleTrail& trail) {
+  trail.clear();
+  settle_trail_ = &trail;
+  dropped_ = &trail.dropped;
+  settle();
+  settle_trail_ = nullptr;
+  dropped_ = nullptr;
+}
+
 void ShadowUnit::settle() {
   if (settled_) return;
   settled_ = true;
@@ -21,11 +30,15 @@ void ShadowUnit::settle() {
 
 /// A cluster whose segments have all cancelled covers the texel as it covers the corner.
 void ShadowUnit::settle_texel(Texel& texel) {
+  SettleTrail* const trail = settle_trail_;
+  const std::size_t emptied = trail ? trail->emptied.size() : 0;
+  const std::size_t dropped = trail ? trail->dropped.size() : 0;
   std::uint32_t previous = SilhouetteBuffer::kNone;
   for (std::uint32_t at = texel.list; at != SilhouetteBuffer::kNone;) {
     Cluster& c = slb_[at];
     const std::uint32_t next = c.next;
     const bool constant = !c.full && c.segment_count == 0;
+    if (constant && trail != nullptr) trail->emptied.push_back({c.record, c.corner > 0, false});
     if (constant && c.corner <= 0) {
       slb_.erase(texel.list, previous);
     } else {
@@ -36,6 +49,7 @@ void ShadowUnit::settle_texel(Texel& texel) {
         const std::int64_t farthest = ThresholdPlane(c.threshold, widths_).farthest();
         if (texel.object == Texel::kNobody || farthest < texel.cover.base) {
           note_cover(texel, farthest, c.object);
+          if (trail != nullptr) trail->emptied.back().nearest = true;
         }
       }
       previous = at;
@@ -43,6 +57,10 @@ void ShadowUnit::settle_texel(Texel& texel) {
     at = next;
   }
   if (texel.list != Texel::kNoList) drop_hidden(texel);
+  if (trail != nullptr) {
+    trail->texels.push_back({static_cast<std::uint32_t>(trail->emptied.size() - emptied),
+                             static_cast<std::uint32_t>(trail->dropped.size() - dropped)});
+  }
 }
 
 void ShadowUnit::sum_up(Tile& tile) {

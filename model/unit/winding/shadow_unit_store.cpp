@@ -91,6 +91,7 @@ Cluster* ShadowUnit::cluster_of(const Visit& visit, std::uint32_t object) {
   if (texel.one_plane() && !open_list(texel)) return nullptr;
   std::uint32_t records;
   std::uint32_t at = find(visit, object, records);
+  if (trail_ != nullptr && at != SilhouetteBuffer::kNone) note()->found = slb_[at].record;
   if (at == SilhouetteBuffer::kNone) {
     if (records >= static_cast<std::uint32_t>(config_.chain_records)) return nullptr;
     at = slb_.insert(texel.list, visit.threshold, object);
@@ -103,28 +104,46 @@ Cluster* ShadowUnit::cluster_of(const Visit& visit, std::uint32_t object) {
   return &slb_[at];
 }
 
+/// Is it the plane that covers the texel, which has no list?
+bool ShadowUnit::same_plane(const Visit& visit, std::uint32_t object) {
+  const Texel& texel = *visit.texel;
+  const bool same =
+      texel.one_plane() && texel.cover == visit.threshold && texel.object == object;
+  if (same && trail_ != nullptr) note()->plane = TexelVisit::Plane::kLeaves;
+  return same;
+}
+
 void ShadowUnit::add(const Visit& visit, std::uint32_t object, bool corner,
                      const Segment* segment) {
   Texel& texel = *visit.texel;
+  if (trail_ != nullptr) {
+    note()->corner = corner;
+    note()->segment = segment != nullptr;
+    note()->may_meet = segment != nullptr && segment->may_meet();
+  }
   if (!corner && segment == nullptr) return;
   if (texel.overflow()) return overflow(visit, object);
-  if (texel.one_plane() && texel.cover == visit.threshold && texel.object == object) return;
+  if (same_plane(visit, object)) return;
   Cluster* cluster = cluster_of(visit, object);
   if (cluster == nullptr) return overflow(visit, object);
   if (cluster->full) return;
   cluster->corner += corner;
-  if (cluster->corner >> config_.corner_bits) return overflow(visit, object);
+  if (cluster->corner >> config_.corner_bits) {
+    if (trail_ != nullptr) note()->corner_full = true;
+    return overflow(visit, object);
+  }
   if (segment == nullptr) return;
-  bool cancelled;
+  TexelVisit::Meeting meeting;
   const std::uint32_t before = slb_.records_of(*cluster);
-  const bool stored = slb_.add(*cluster, *segment, cancelled);
+  const bool stored = slb_.add(*cluster, *segment, meeting);
+  if (trail_ != nullptr) note()->meeting = meeting;
   if (LongList* list = long_list(visit)) list->records += slb_.records_of(*cluster) - before;
   const bool grown = slb_.records_of(*cluster) > before;
   if (!stored ||
       (grown && records_of_list(visit) > static_cast<std::uint32_t>(config_.chain_records))) {
     return overflow(visit, object);
   }
-  ++(cancelled ? counters_.lines_cancelled : counters_.lines_stored);
+  ++(meeting.cancels() ? counters_.lines_cancelled : counters_.lines_stored);
 }
 
 /// The facet covers the whole texel.
@@ -137,10 +156,11 @@ void ShadowUnit::cover(const Visit& visit, std::uint32_t object) {
     return;
   }
   if (texel.one_plane()) {
-    if (texel.cover == visit.threshold && texel.object == object) return;
+    if (same_plane(visit, object)) return;
     const bool replaces = (!paper_ || texel.object == object) &&
                           ThresholdPlane(texel.cover, widths_).nearest() >= visit.farthest;
     if (replaces) {
+      if (trail_ != nullptr) note()->plane = TexelVisit::Plane::kPuts;
       texel.cover = visit.threshold;
       texel.object = object;
       return;
@@ -155,8 +175,11 @@ void ShadowUnit::cover(const Visit& visit, std::uint32_t object) {
   cluster->corner = 0;
   if (texel.object == Texel::kNobody || visit.farthest < texel.cover.base) {
     note_cover(texel, visit.farthest, object);
+    if (trail_ != nullptr) note()->covers_nearest = true;
   }
+  const std::size_t dropped = dropped_ == nullptr ? 0 : dropped_->size();
   drop_hidden(texel);
+  if (trail_ != nullptr) note()->dropped = static_cast<std::uint32_t>(dropped_->size() - dropped);
 }
 
 void ShadowUnit::drop_hidden(Texel& texel) {
@@ -166,6 +189,7 @@ void ShadowUnit::drop_hidden(Texel& texel) {
     const std::uint32_t next = c.next;
     if (hidden(texel, ThresholdPlane(c.threshold, widths_).nearest(), c.object)) {
       counters_.lines_hidden += c.segment_count;
+      if (dropped_ != nullptr) dropped_->push_back(c.record);
       slb_.erase(texel.list, previous);
     } else {
       previous = at;
@@ -184,7 +208,9 @@ void ShadowUnit::overflow(const Visit& visit, std::uint32_t object) {
   Texel& texel = *visit.texel;
   const auto keep_nearest = [&](const Threshold& t, std::uint32_t of) {
     const std::int64_t depth = t.base * (std::int64_t{1} << widths_.step_bits);
-    if (texel.object == Texel::kNobody || depth < texel.cover.base) note_cover(texel, depth, of);
+    const bool keeps = texel.object == Texel::kNobody || depth < texel.cover.base;
+    if (keeps) note_cover(texel, depth, of);
+    return keeps;
   };
   ++counters_.overflow_lines;
   long_lists_.erase(visit.index);
@@ -203,7 +229,8 @@ void ShadowUnit::overflow(const Visit& visit, std::uint32_t object) {
     }
     texel.list = Texel::kOverflow;
   }
-  keep_nearest(visit.threshold, object);
+  const bool keeps = keep_nearest(visit.threshold, object);
+  if (trail_ != nullptr) note()->covers_nearest = keeps;
 }
 
 }  // namespace kagesen::unit::winding

@@ -38,11 +38,12 @@ void SilhouetteBuffer::erase(std::uint32_t& head, std::uint32_t previous) {
   free_cluster_ = at;
 }
 
-bool SilhouetteBuffer::add(Cluster& c, const Segment& segment, bool& cancelled) {
-  cancelled = false;
-  const bool may_meet = segment.inner() || segment.dot();
-  for (std::uint32_t at = c.first_segment; may_meet && at != kNone; at = segments_[at].next) {
+bool SilhouetteBuffer::add(Cluster& c, const Segment& segment, TexelVisit::Meeting& meeting) {
+  meeting = {};
+  const bool may_meet = segment.may_meet();
+  for (std::uint32_t at = c.first_segment; may_meet && at != kNone; at = segments_[at].next, ++meeting.before) {
     if (segment.dot() && segments_[at].segment.dot() && segments_[at].segment.same_ends(segment)) {
+      meeting.what = TexelVisit::Meeting::kSamePoint;
       return true;
     }
     if (!segments_[at].segment.opposes(segment)) continue;
@@ -56,7 +57,7 @@ bool SilhouetteBuffer::add(Cluster& c, const Segment& segment, bool& cancelled) 
       behind_[c.record] = behind_[behind_[c.record]];
     }
     --c.segment_count;
-    cancelled = true;
+    meeting.what = TexelVisit::Meeting::kOpposite;
     return true;
   }
   const std::uint32_t more = records_for(c.segment_count + 1) - records_for(c.segment_count);

@@ -5,6 +5,7 @@
 
 #include "model/unit/winding/plane.h"
 #include "model/unit/winding/segment.h"
+#include "model/unit/winding/store_trail.h"
 
 namespace kagesen::unit::winding {
 
@@ -17,7 +18,7 @@ struct Cluster {
   std::uint32_t segment_count = 0;
   std::uint32_t first_segment = 0;
   std::uint32_t next = 0;    ///< in the texel
-  std::uint32_t record = 0;  ///< address of its first record
+  std::uint32_t record = 0;  ///< number of its first record
 
   bool same_plane(const Threshold& t, std::uint32_t of_object) const {
     return threshold == t && object == of_object;
@@ -42,7 +43,7 @@ class SilhouetteBuffer {
   void erase(std::uint32_t& head, std::uint32_t previous);
   /// Stores a segment, or cancels the other piece of an inner edge; a dot is stored once. False if
   /// there is no room.
-  bool add(Cluster& c, const Segment& segment, bool& cancelled);
+  bool add(Cluster& c, const Segment& segment, TexelVisit::Meeting& meeting);
   void drop_segments(Cluster& c);
   /// The last one stored first: record by record.
   template <typename Use>
@@ -57,10 +58,8 @@ class SilhouetteBuffer {
   std::uint32_t first_segments_of(const Cluster& c) const {
     return c.segment_count == 0 ? 0 : (c.segment_count - 1) % per_record_ + 1;
   }
-  /// The address of the record behind this one in its cluster.
-  std::uint32_t record_behind(std::uint32_t address) const { return behind_[address]; }
-  /// Records get their addresses in turn while there are any that no record had before. Is that so?
-  bool addresses_known() const { return behind_.size() <= capacity_; }
+  /// The record behind this one in its cluster.
+  std::uint32_t record_behind(std::uint32_t record) const { return behind_[record]; }
   std::uint64_t records() const { return records_; }
   std::uint64_t peak_records() const { return peak_; }
 
@@ -83,7 +82,7 @@ class SilhouetteBuffer {
 
   std::vector<Cluster> clusters_;
   std::vector<Node> segments_;
-  std::vector<std::uint32_t> behind_;  // by a record's address
+  std::vector<std::uint32_t> behind_;  // by a record's number
   std::uint32_t free_cluster_ = kNone, free_segment_ = kNone;
   std::uint64_t capacity_ = 0, records_ = 0, peak_ = 0;
   std::uint32_t per_record_ = 1;

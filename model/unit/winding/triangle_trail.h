@@ -6,6 +6,7 @@
 
 #include "model/unit/winding/edge_walker.h"
 #include "model/unit/winding/plane.h"
+#include "model/unit/winding/store_trail.h"
 
 namespace kagesen::unit::winding {
 
@@ -44,6 +45,9 @@ struct TriangleTrail {
   std::vector<Row> rows;
   std::vector<std::uint8_t> corners;  ///< 1: the corner of this texel is counted
   std::vector<Gap> gaps;
+  std::uint32_t object = 0;            ///< unit ID
+  std::vector<TexelVisit> visits;      ///< of texels on the map, outlines first
+  std::vector<std::uint32_t> dropped;  ///< clusters that visits hide, by their first records
 
   void begin_edge(Edge edge) {
     edge.begin = static_cast<std::uint32_t>(edge.passed ? rows.size() : outline.size());
@@ -74,6 +78,8 @@ struct TriangleTrail {
     rows.clear();
     corners.clear();
     gaps.clear();
+    visits.clear();
+    dropped.clear();
   }
 };
 

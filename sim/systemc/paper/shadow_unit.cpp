@@ -27,6 +27,8 @@ PaperUnit::PaperUnit(const sc_core::sc_module_name& name, unsigned lanes)
 
 void PaperUnit::begin(const UnitConfig& config, const FrameSetup& setup, const Timing& timing) {
   config_ = config;
+  settle_ = 0;
+  unsettled_ = false;
   timed_ = ReadTiming::simple_banks(timing);
   golden_->begin(config, setup);
   pass1_.begin_frame(config, setup, timing, texel_word_bytes(config), record_bytes(config));
@@ -38,10 +40,13 @@ void PaperUnit::announce(const Fragment* fragments, std::size_t count) {
 }
 void PaperUnit::draw(const Caster* casters, std::size_t count) {
   pass1_.draw(*unit_, casters, count);
+  unsettled_ = true;
 }
 
 void PaperUnit::decide(const Fragment* fragments, std::size_t count, Verdict* verdicts,
                        FragmentCycles* cycles) {
+  settle_ += unsettled_;
+  unsettled_ = false;
   ShadowLane::Pass pass{};
   pass.slots = static_cast<std::uint32_t>(config_.fragment_slots);
   pass.texel_bytes = texel_word_bytes(config_);
@@ -57,6 +62,7 @@ void PaperUnit::decide(const Fragment* fragments, std::size_t count, Verdict* ve
 CycleReport PaperUnit::cycles() const {
   CycleReport report;
   pass1_.report(report, unit_->counters());
+  report.settle = settle_ + unsettled_;
   // Where SLB records stand in the pool golden does not say: banks and rows of that memory would
   // answer lanes at other times.
   if (!timed_) return report;

@@ -31,6 +31,8 @@ class PaperUnit : public ShadowUnit {
   Lanes<ShadowLane> lanes_;
   UnitConfig config_;
   bool timed_ = true;
+  Cycle settle_ = 0;  // cycles: one each time, for the store is idle when a pass ends
+  bool unsettled_ = false;
 };
 
 }  // namespace kagesen::tlm_model::paper

@@ -50,7 +50,7 @@ Cycle Front::draw(const Trail& triangle, Cycle offered) {
   const Cycle begins = plane_.triangle(triangle, taken, edges_) + 1;
   causes_.setup(taken + 1, begins + 1);
   rows_.begin();
-  visits_.put(begins, {Visit::kBegin, 0, 0});
+  visits_.put(begins, {});
   Cycle ended = begins;  // what was before the next edge
   unsigned vertex = kNone;
   for (unsigned i = 0; i < triangle.edge_count; ++i) {
@@ -85,7 +85,7 @@ Cycle Front::walk(const Trail& triangle, unsigned edge, Cycle at) {
     at = std::max(at, visits_.moves());
     if (static_cast<std::uint32_t>(texel->y) < height_) rows_.visit(texel->y);
     if (on_map(texel->x, texel->y)) {
-      visits_.put(at, {Visit::kEdge, texel->x, texel->y});
+      visits_.put(at, {Visit::kEdge, texel->x, texel->y, 0});
     } else {
       visits_.pass(at);
     }
@@ -136,7 +136,7 @@ void Front::visit_inner(const Trail& triangle, const Trail::Row& row, std::int32
   if (!on_map(x, row.y)) {
     visits_.pass(at);
   } else if (triangle.corners[row.corners + static_cast<std::uint32_t>(x - std::max(row.low, 0))]) {
-    visits_.put(at, {Visit::kEdge, x, row.y});
+    visits_.put(at, {Visit::kEdge, x, row.y, 0});
   } else {
     visits_.drop(at);
   }

@@ -32,25 +32,27 @@ WindingUnit::WindingUnit(const sc_core::sc_module_name& name, unsigned lanes)
     : ShadowUnit(name),
       unit_(std::make_shared<unit::winding::ShadowUnit>()),
       golden_(make_golden_winding_engine(unit_)),
+      pass1_(std::make_unique<Pass1>("pass1")),
       lanes_(lanes) {}
 
 void WindingUnit::begin(const UnitConfig& config, const FrameSetup& setup, const Timing& timing) {
   config_ = config;
-  timing_ = timing;
-  timed_ = true;
   golden_->begin(config, setup);
+  const Words words(config);
+  pass1_->begin_frame(config, setup, timing, words.texel, words.record);
   lanes_.begin_frame(timing);
 }
 
 void WindingUnit::announce(const Fragment* fragments, std::size_t count) {
-  golden_->announce(fragments, count);
+  pass1_->announce(*unit_, fragments, count);
 }
-void WindingUnit::draw(const Caster* casters, std::size_t count) { golden_->draw(casters, count); }
+void WindingUnit::draw(const Caster* casters, std::size_t count) {
+  pass1_->draw(*unit_, casters, count);
+}
 
 void WindingUnit::decide(const Fragment* fragments, std::size_t count, Verdict* verdicts,
                          FragmentCycles* cycles) {
-  unit_->settle();
-  timed_ = timed_ && (ReadTiming::simple_banks(timing_) || unit_->slb().addresses_known());
+  settle();
   ShadowLane::Pass pass{};
   pass.slots = static_cast<std::uint32_t>(config_.fragment_slots);
   const Words words(config_);
@@ -60,14 +62,17 @@ void WindingUnit::decide(const Fragment* fragments, std::size_t count, Verdict* 
   unit::winding::ShadowUnit::Tally tally;
   lanes_.run(pass, fragments, count, verdicts, cycles,
              [&](const Fragment& fragment, ShadowLane::Trail& trail) {
-               return unit_->decide(fragment, trail, tally);
+               const Verdict verdict = unit_->decide(fragment, trail, tally);
+               for (auto& record : trail.records) record.address = pass1_->record_address(record.address);
+               return verdict;
              });
   unit_->count(tally, count);
 }
 
 CycleReport WindingUnit::cycles() const {
+  settle();
   CycleReport report;
-  if (!timed_) return report;
+  pass1_->report(report, unit_->counters());
   report.pass2 = lanes_.cycles();
   return report;
 }

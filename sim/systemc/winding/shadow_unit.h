@@ -1,12 +1,12 @@
 #pragma once
-/// The winding profile's unit. Pass 1 is golden's alone: its cycles are not modelled. Nor are pass 2's
-/// where a memory's time depends on addresses and records have been given out again, to whom we do not know.
+/// The winding profile's unit: all its passes.
 /// Twin: rtl/common/shadow_unit.sv with rtl/winding.
 #include <memory>
 
 #include "model/unit/winding/shadow_unit.h"
 #include "sim/systemc/common/lanes.h"
 #include "sim/systemc/common/shadow_unit.h"
+#include "sim/systemc/winding/pass1.h"
 #include "sim/systemc/winding/shadow_lane.h"
 
 namespace kagesen::tlm_model::winding {
@@ -22,15 +22,20 @@ class WindingUnit : public ShadowUnit {
               FragmentCycles* cycles) override;
   void trace(Timeline* timeline) override { lanes_.trace(timeline); }
   CycleReport cycles() const override;
-  const Engine& golden() const override { return *golden_; }
+  const Engine& golden() const override {
+    settle();
+    return *golden_;
+  }
 
  private:
+  /// Ends pass 1, as whoever looks at the buffers does.
+  void settle() const { pass1_->settle(*unit_); }
+
   std::shared_ptr<unit::winding::ShadowUnit> unit_;
   std::unique_ptr<Engine> golden_;
+  std::unique_ptr<Pass1> pass1_;
   Lanes<ShadowLane> lanes_;
   UnitConfig config_;
-  Timing timing_;
-  bool timed_ = true;  // pass 2 of this frame
 };
 
 }  // namespace kagesen::tlm_model::winding

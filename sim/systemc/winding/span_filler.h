@@ -36,7 +36,9 @@ class SpanFiller : public sc_core::sc_module {
         const bool last = x == to;
         if (last) rows.take(at);
         if (last || (x & 2) != 0) {
-          visits.put(at, {Visit::kSpan, x & ~3, y});
+          const std::int32_t word = x & ~3;
+          const std::int32_t low = std::max(gap.from, word), high = std::min(gap.to, word | 3);
+          visits.put(at, {Visit::kSpan, word, y, (2u << (high - word)) - (1u << (low - word))});
         } else {
           visits.pass(at);
         }

@@ -40,7 +40,14 @@ inline std::vector<Verdict> run_frame(Engine& engine, const Trace& trace, const 
   return verdicts;
 }
 
-/// Expects equal verdicts, equal cycles of every fragment, equal totals and causes of pass 2.
+inline void expect_equal_pass(const char* name, const PassCycles& ours, const PassCycles& theirs) {
+  EXPECT_EQ(ours.total, theirs.total) << name;
+  EXPECT_EQ(ours.items, theirs.items) << name;
+  EXPECT_EQ(ours.causes, theirs.causes) << name;
+}
+
+/// Expects equal verdicts, equal cycles of every fragment, equal totals of all passes and causes of
+/// both.
 inline void expect_equal_cycles(const Trace& trace, const UnitConfig& config, const Timing& timing,
                                 std::size_t portion = 0) {
   SystemcEngine model({timing, true});
@@ -54,10 +61,14 @@ inline void expect_equal_cycles(const Trace& trace, const UnitConfig& config, co
                               << a[i].retired << ", rtl " << b[i].accepted << " to "
                               << b[i].retired;
   }
-  const PassCycles ours = *model.cycles()->pass2, theirs = *rtl.cycles()->pass2;
-  EXPECT_EQ(ours.total, theirs.total);
-  EXPECT_EQ(ours.items, theirs.items);
-  EXPECT_EQ(ours.causes, theirs.causes);
+  const CycleReport ours = *model.cycles(), theirs = *rtl.cycles();
+  expect_equal_pass("pass 1", *ours.pass1, *theirs.pass1);
+  expect_equal_pass("pass 2", *ours.pass2, *theirs.pass2);
+  EXPECT_EQ(ours.clear, theirs.clear);
+  EXPECT_EQ(ours.settle, theirs.settle);
+  if (ours.announce) {
+    EXPECT_EQ(ours.announce, theirs.announce);
+  }
 }
 
 }  // namespace kagesen

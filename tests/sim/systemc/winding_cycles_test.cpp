@@ -1,4 +1,5 @@
-/// SystemC and the Verilated unit, winding profile: every fragment's cycles, every cause's total.
+/// SystemC and the Verilated unit, winding profile: every fragment's cycles, every pass's and cause's
+/// total.
 ///
 /// With arguments `more COUNT [SEED]` the program compares so many frames of random configurations, which
 /// need models of their own, a minute each.
@@ -43,18 +44,15 @@ class Dice {
     timing.seed = random_();
     return timing;
   }
-  /// What is a register, and needs no model of its own. Capacities run out only where that does not
-  /// keep pass 2 from being timed.
-  UnitConfig policy(UnitConfig config, const Timing& timing) {
+  /// What is a register, and needs no model of its own.
+  UnitConfig policy(UnitConfig config) {
     if (one_of({0, 1}) != 0) config.semantics = Semantics::kPaper;
     for (bool UnitConfig::*skip :
          {&UnitConfig::skip_receiver_mask, &UnitConfig::skip_first_test, &UnitConfig::skip_tiles,
           &UnitConfig::skip_edges, &UnitConfig::skip_fragments}) {
       config.*skip = one_of({0, 1, 1}) != 0;
     }
-    if (one_of({0, 0, 0, 1}) != 0 && ReadTiming::simple_banks(timing)) {
-      config.cluster_records = one_of({64, 500, 4000});
-    }
+    if (one_of({0, 0, 0, 1}) != 0) config.cluster_records = one_of({64, 500, 4000});
     if (one_of({0, 0, 0, 1}) != 0) config.chain_records = one_of({1, 3, 12});
     return config;
   }
@@ -81,7 +79,7 @@ TEST(WindingCycles, ScenesAtRandomTimingsUnderRandomPolicies) {
     SCOPED_TRACE(testing::Message() << "round " << round);
     const Trace& trace = traces[round % 2];
     const Timing timing = dice.timing();
-    const UnitConfig config = dice.policy(config_of(trace), timing);
+    const UnitConfig config = dice.policy(config_of(trace));
     expect_equal_cycles(trace, config, timing, dice.one_of({0, 0, 1, 97}));
     if (HasFailure()) return;
   }
@@ -98,26 +96,11 @@ TEST(WindingCycles, StressCases) {
     if (header.map_width > 1024 || header.map_height > 1024) continue;
     SCOPED_TRACE(testing::Message() << "case " << number);
     const Timing timing = dice.timing();
-    expect_equal_cycles(made.trace, dice.policy(config_of(made.trace), timing), timing);
+    expect_equal_cycles(made.trace, dice.policy(config_of(made.trace)), timing);
     if (HasFailure()) return;
     ++cases;
   }
   EXPECT_GT(cases, 6);
-}
-
-TEST(WindingCycles, AbsentWhereRecordsAreGivenOutAgainAndAddressesMatter) {
-  const Trace trace = small_trace("glyphs", 64, 64, 4);
-  UnitConfig config = config_of(trace);
-  config.chain_records = 1;
-  config.cluster_records = 64;
-  Timing timing;
-  for (const bool banks : {false, true}) {
-    timing.bank_busy = banks ? 3 : 1;
-    SystemcEngine model({timing, true});
-    run_frame(model, trace, config);
-    EXPECT_EQ(model.cycles()->pass2.has_value(), !banks);
-    EXPECT_EQ(model.fragment_cycles().empty(), banks);
-  }
 }
 
 int compare_more(int count, std::uint32_t seed) {
@@ -132,7 +115,7 @@ int compare_more(int count, std::uint32_t seed) {
     config.lanes = dice.one_of({1, 2, 3, 4});
     for (int of_model = 0; of_model < 20; ++of_model) {
       const Timing timing = dice.timing();
-      expect_equal_cycles(trace, dice.policy(config, timing), timing, dice.one_of({0, 0, 1, 97}));
+      expect_equal_cycles(trace, dice.policy(config), timing, dice.one_of({0, 0, 1, 97}));
     }
     std::printf("%d: %s at scale %g, %d slots, %d segments a record, %d lanes: %s\n", round, scene,
                 scale, int(config.fragment_slots), int(config.segments_per_record),

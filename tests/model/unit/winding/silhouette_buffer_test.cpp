@@ -62,9 +62,9 @@ class Twin {
     const bool cancels = opposed != held.segments.end();
     const bool full = !held.segments.empty() && held.segments.size() % per_record_ == 0;
     const bool room = cancels || !full || used() < capacity_;
-    bool cancelled = !cancels;
-    ASSERT_EQ(slb_.add(slb_[held.at], segment(n), cancelled), room);
-    ASSERT_EQ(cancelled, cancels);
+    TexelVisit::Meeting meeting;
+    ASSERT_EQ(slb_.add(slb_[held.at], segment(n), meeting), room);
+    ASSERT_EQ(meeting.cancels(), cancels);
     if (cancels) {
       held.segments.erase(opposed);
     } else if (room) {
@@ -187,8 +187,8 @@ TEST(WindingSilhouetteBufferAlone, EachSegmentStopsWhenTold) {
   slb.clear(8, 2);
   std::uint32_t head = kNone;
   const std::uint32_t at = slb.insert(head, {}, 0);
-  bool cancelled;
-  for (unsigned n = 0; n < 8; n += 2) ASSERT_TRUE(slb.add(slb[at], segment(n), cancelled));
+  TexelVisit::Meeting meeting;
+  for (unsigned n = 0; n < 8; n += 2) ASSERT_TRUE(slb.add(slb[at], segment(n), meeting));
   int seen = 0;
   slb.each_segment(slb[at], [&](const Segment&) { return ++seen < 3; });
   EXPECT_EQ(seen, 3);
@@ -199,15 +199,15 @@ TEST(WindingSilhouetteBufferAlone, OnlyInnerPiecesCancelAndADotIsStoredOnce) {
   slb.clear(8, 2);
   std::uint32_t head = kNone;
   const std::uint32_t at = slb.insert(head, {}, 0);
-  bool cancelled;
+  TexelVisit::Meeting meeting;
   for (const unsigned n : {2u, 3u}) {  // the sides of a needle
     Segment side = segment(n);
     side.flags ^= Segment::kInner;
-    ASSERT_TRUE(slb.add(slb[at], side, cancelled));
-    EXPECT_FALSE(cancelled);
+    ASSERT_TRUE(slb.add(slb[at], side, meeting));
+    EXPECT_FALSE(meeting.cancels());
   }
   EXPECT_EQ(slb[at].segment_count, 2u);
-  for (int i = 0; i < 3; ++i) ASSERT_TRUE(slb.add(slb[at], {4, 4, 4, 4, 0}, cancelled));
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(slb.add(slb[at], {4, 4, 4, 4, 0}, meeting));
   EXPECT_EQ(slb[at].segment_count, 3u);
 }
 
