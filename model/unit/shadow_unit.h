@@ -58,7 +58,7 @@ class ShadowUnit {
   Verdict decide_by_lines(std::uint32_t texel, std::uint32_t object, std::uint32_t depth,
                           const SubTexel& point);
   Verdict walk_chain(std::uint32_t texel, std::uint32_t object, std::uint32_t depth,
-                     const SubTexel& point, std::vector<std::uint32_t>& records);
+                     const SubTexel& point, FragmentTrail& trail);
   Combination& combination_of(std::uint32_t entry);
   std::uint32_t unit_id(std::uint32_t object) const {
     return object < ids_.size() ? ids_[object] : object & id_mask_;

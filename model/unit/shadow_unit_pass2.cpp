@@ -56,7 +56,7 @@ inline Verdict ShadowUnit::decide_one(const Fragment& fragment, Tally& tally,
   const SubTexel point{(fragment.position.x & mask) >> position_shift_,
                        (fragment.position.y & mask) >> position_shift_, bits_ - position_shift_};
   const Verdict verdict = trail != nullptr
-                              ? walk_chain(index, object, depth, point, trail->records)
+                              ? walk_chain(index, object, depth, point, *trail)
                               : decide_by_lines(index, object, depth, point);
   tally.dark_by_lines += verdict == Verdict::kDark;
   return verdict;
@@ -88,18 +88,17 @@ Verdict ShadowUnit::decide_by_lines(std::uint32_t texel, std::uint32_t object, s
 
 /// The same record by record, as shadow_lane.sv goes along the bucket's chain.
 Verdict ShadowUnit::walk_chain(std::uint32_t texel, std::uint32_t object, std::uint32_t depth,
-                               const SubTexel& point, std::vector<std::uint32_t>& records) {
+                               const SubTexel& point, FragmentTrail& trail) {
   ++counters_.slb_lookups;
-  const std::uint32_t bucket = bucket_at(texel), head = slb_.head(bucket);
-  const auto read = [&](std::uint32_t at) {
-    records.push_back(at == head ? bucket : slb_.buckets() + at);
-  };
-  for (std::uint32_t at = head; at != SilhouetteBuffer::kNone; at = slb_[at].next) {
+  trail.bucket = bucket_at(texel);
+  std::uint32_t number = 0;
+  for (std::uint32_t at = slb_.head(trail.bucket); at != SilhouetteBuffer::kNone;
+       at = slb_[at].next, ++number) {
     const Record& entry = slb_[at];
     const bool asks = entry.texel == texel && depth > entry.nearest;
     counters_.entries_read += asks;
     if (!asks || entry.object == object) {
-      read(at);
+      trail.places.push_back({number, 0});
       if (entry.texel == texel && !asks) break;  // entries are linked from the light outwards
       continue;
     }
@@ -108,9 +107,7 @@ Verdict ShadowUnit::walk_chain(std::uint32_t texel, std::uint32_t object, std::u
     const auto lines_per_record = static_cast<std::uint32_t>(config_.lines_per_entry);
     const bool inside =
         combination.walk(decision_, point, lines_per_record, [&](std::uint32_t record) {
-          std::uint32_t part = at;
-          for (; record > 0; --record) part = slb_[part].more;
-          read(part);
+          trail.places.push_back({number, record});
         });
     if (inside) return Verdict::kDark;
   }

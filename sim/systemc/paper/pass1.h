@@ -25,6 +25,8 @@ class Pass1 : public sc_core::sc_module {
   void draw(unit::ShadowUnit& golden, const Caster* casters, std::size_t count);
   /// Fills in what is of pass 1.
   void report(CycleReport& report, const UnitCounters& counters) const;
+  /// Where the records stand that a fragment reads.
+  void locate(unit::FragmentTrail& trail) const { store_.locate(trail); }
   /// When each triangle of the last draw() was taken.
   const std::vector<Cycle>& taken() const { return taken_; }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/unit/config.h"
+#include "model/unit/fragment_trail.h"
 #include "model/unit/triangle_trail.h"
 #include "sim/systemc/paper/slb_pool.h"
 
@@ -38,6 +39,18 @@ class RecordWalk : public sc_core::sc_module {
   const Operation& operation() const { return operation_; }
   unsigned texel() const { return walk_.word_x; }  ///< of the word, that is worked on
   const SlbRecord& record(RecordAddress at) const { return records_[at]; }
+
+  /// Fills in where the records stand that a fragment reads.
+  void locate(unit::FragmentTrail& trail) const {
+    RecordAddress entry = trail.bucket;
+    std::uint32_t number = 0;
+    for (const unit::FragmentTrail::Place& place : trail.places) {
+      for (; number < place.entry; ++number) entry = records_[entry].next;
+      RecordAddress at = entry;
+      for (std::uint32_t part = place.part; part > 0; --part) at = records_[at].more;
+      trail.records.push_back(at);
+    }
+  }
 
   /// What this cycle's step is. @pre busy()
   const SlbStep& plan(bool hit, bool texel_hit);

@@ -29,7 +29,6 @@ void PaperUnit::begin(const UnitConfig& config, const FrameSetup& setup, const T
   config_ = config;
   settle_ = 0;
   unsettled_ = false;
-  timed_ = ReadTiming::simple_banks(timing);
   golden_->begin(config, setup);
   pass1_.begin_frame(config, setup, timing, texel_word_bytes(config), record_bytes(config));
   lanes_.begin_frame(timing);
@@ -55,7 +54,9 @@ void PaperUnit::decide(const Fragment* fragments, std::size_t count, Verdict* ve
       static_cast<unsigned>(bits_for(static_cast<std::uint64_t>((config_.map_width + 3) / 4)));
   lanes_.run(pass, fragments, count, verdicts, cycles,
              [this](const Fragment& fragment, unit::FragmentTrail& trail) {
-               return unit_->decide(fragment, trail);
+               const Verdict verdict = unit_->decide(fragment, trail);
+               pass1_.locate(trail);
+               return verdict;
              });
 }
 
@@ -63,9 +64,6 @@ CycleReport PaperUnit::cycles() const {
   CycleReport report;
   pass1_.report(report, unit_->counters());
   report.settle = settle_ + unsettled_;
-  // Where SLB records stand in the pool golden does not say: banks and rows of that memory would
-  // answer lanes at other times.
-  if (!timed_) return report;
   report.pass2 = lanes_.cycles();
   return report;
 }

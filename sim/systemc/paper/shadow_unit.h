@@ -30,7 +30,6 @@ class PaperUnit : public ShadowUnit {
   Pass1 pass1_;
   Lanes<ShadowLane> lanes_;
   UnitConfig config_;
-  bool timed_ = true;
   Cycle settle_ = 0;  // cycles: one each time, for the store is idle when a pass ends
   bool unsettled_ = false;
 };

@@ -42,6 +42,8 @@ class Store : public sc_core::sc_module, public VisitTaker {
   /// Tells cycles without a visit, before one whose cause is known, from the front's causes.
   void tell(FrontCauses& front, Cycle until);
   const Causes& causes() const { return causes_; }
+  /// See RecordWalk.
+  void locate(unit::FragmentTrail& trail) const { walk_.locate(trail); }
 
  private:
   struct Run {

@@ -1,4 +1,5 @@
-/// SystemC and the Verilated unit, paper profile: every fragment's cycles, every cause's total.
+/// SystemC and the Verilated unit, paper profile: every fragment's cycles, every pass's and cause's
+/// total.
 #include <random>
 
 #include "tests/sim/systemc/side_by_side.h"
@@ -36,13 +37,22 @@ TEST(PaperCycles, RandomTimings) {
     timing.stream_stall = one_of({0, 0, 10, 70});
     timing.interval = one_of({1, 1, 2, 5});
     timing.outstanding = one_of({0, 0, 1, 3, 16});
+    timing.banks = one_of({1, 2, 8});
+    timing.bank_busy = one_of({1, 1, 3});
+    timing.row_words = one_of({0, 4, 64});
+    timing.row_miss = one_of({0, 0, 6});
     timing.seed = random();
     SCOPED_TRACE(testing::Message()
                  << "round " << round << ": latency " << timing.latency << ", spread "
                  << timing.spread << ", stalls " << timing.memory_stall << " and "
                  << timing.stream_stall << ", interval " << timing.interval << ", outstanding "
-                 << timing.outstanding);
-    expect_equal_cycles(trace, small_config(), timing, one_of({0, 0, 1, 97}));
+                 << timing.outstanding << ", " << timing.banks << " banks busy for "
+                 << timing.bank_busy << ", rows of " << timing.row_words << " cost "
+                 << timing.row_miss);
+    UnitConfig config = small_config();
+    if (one_of({0, 0, 1}) != 0) config.slb_entries = one_of({40, 300});
+    if (one_of({0, 0, 1}) != 0) config.link_depth = one_of({2, 5});
+    expect_equal_cycles(trace, config, timing, one_of({0, 0, 1, 97}));
     if (HasFailure()) return;
   }
 }
