@@ -6,7 +6,8 @@
 //          line is being filled, so no fill ever replaces a newer word. Fills and updates have a data
 //          memory each, and do not wait for each other. An update of the word that is looked up takes
 //          its line; lookup_new_i says that the word will be updated without having been read. An
-//          update of another word takes its set's first line and empties the other.
+//          update of another word takes its set's first line and empties the other. One that takes a
+//          line waits while a hint does.
 // Hint:    fetches a word that is absent. It waits while its set is in use, or each of its lines holds
 //          a hinted word whose lookups did not all come yet (two are counted); such a one it takes only
 //          while there is no lookup at all. Changes time, never a value. A hint that repeats the last
@@ -89,21 +90,21 @@ module line_cache #(
   logic                lookup_valid_q, new_q, forward_q, forward_way_q, raced_q, met_q, hint_valid_q, hint_weak_q, hint_raced_q, hinting_q;
   logic                rd_valid_q, wr_valid_q, turn_q;  // which way the next choice among equals takes
   logic [AddrBits-1:0] lookup_q, hint_q, rd_addr_q, wr_addr_q;
+  logic [SetBits-1:0]  lookup_set, hint_set;  // of lookup_q, hint_q
   logic [LineBits-1:0] rd_line_q;
   logic [Width-1:0]    wr_data_q;
 
   logic [AddrBits-1:0] read_addr, fill_addr;
-  logic [SetBits-1:0]  read_set, lookup_set, hint_set, update_set, hint_read_set, key_set;
+  logic [SetBits-1:0]  read_set, update_set, hint_read_set, key_set;
   logic [LineBits-1:0] lookup_line, hint_line, update_line, fill_line, rsp_line, key_line;
   logic [Ways*KeyBits-1:0] lookup_keys, hint_keys;
   logic [Ways*Width-1:0]   filled_words, updated_words;
   logic [Width-1:0]    word;
-  logic                reading, updating, keep_rsp, fill, fill_lookup, fill_hint, can_fill, hint_done, hint_free;
+  logic [Ways-1:0]     match, settled;  // match: holds the word; settled: is not being read
+  logic                reading, updating, keep_rsp, fill, fill_lookup, fill_hint, can_fill, wants_fill, hint_done, hint_free;
   logic                key_write, moving, claiming, in_place, new_ready, present, hint_again, met_now, lookup_way, lookup_free, fill_way, hint_way, done_way, update_way;
   logic [KeyBits-1:0]  key_data;
 
-  assign lookup_set = set_of(lookup_q);
-  assign hint_set   = set_of(hint_q);
   assign update_set = set_of(update_addr_i);
   assign rsp_line   = rsp_tag_i[LineBits-1:0];
 
@@ -112,34 +113,29 @@ module line_cache #(
 
   // ---- Lookup: the way that holds the word; or the one it will take ----------------------------
   always_comb begin
-    present     = 1'b0;
     word        = '0;
     lookup_free = 1'b0;
     lookup_way  = Ways == 2 && turn_q;
     // The one that no hint needs, if there is one.
     for (int unsigned w = 0; w < Ways; w++) begin
-      if (!busy_q[line_of(lookup_set, 1'(w))] && (!lookup_free
+      settled[w] = !busy_q[line_of(lookup_set, 1'(w))];
+      match[w]   = valid_q[line_of(lookup_set, 1'(w))] && lookup_keys[w*KeyBits +: KeyBits] == lookup_q[AddrBits-1:SetBits];
+      if (settled[w] && (!lookup_free
           || (awaited[line_of(lookup_set, lookup_way)] && !awaited[line_of(lookup_set, 1'(w))])
           || (awaited[line_of(lookup_set, lookup_way)] == awaited[line_of(lookup_set, 1'(w))] && turn_q))) begin
         lookup_free = 1'b1;
         lookup_way  = 1'(w);
       end
-    end
-    for (int unsigned w = 0; w < Ways; w++) begin
-      if (valid_q[line_of(lookup_set, 1'(w))] && lookup_keys[w*KeyBits +: KeyBits] == lookup_q[AddrBits-1:SetBits]) begin
-        present    = 1'b1;
-        lookup_way = 1'(w);
-      end
-    end
-    if (forward_q) lookup_way = forward_way_q;
-    for (int unsigned w = 0; w < Ways; w++) begin
-      if (Ways == 1 || lookup_way == 1'(w)) begin
+      if (w == 0 || match[w]) begin  // without a match it is not looked at
         word = updated_q[line_of(lookup_set, 1'(w))] ? updated_words[w*Width +: Width] : filled_words[w*Width +: Width];
       end
     end
+    present = match != '0;
+    if (present) lookup_way = Ways == 2 && match[Ways-1];
+    if (forward_q) lookup_way = forward_way_q;
   end
   assign lookup_line = line_of(lookup_set, lookup_way);
-  assign hit_o       = lookup_valid_q && (forward_q || (!raced_q && present && !busy_q[lookup_line]));
+  assign hit_o       = lookup_valid_q && (forward_q || (!raced_q && (match & settled) != '0));
   assign data_o      = forward_q ? wr_data_q : word;
   // Read again until it is there, and after each update: it may be of this word, or take its line.
   assign reading   = lookup_i || (lookup_valid_q && (!hit_o || updating));
@@ -169,9 +165,12 @@ module line_cache #(
   end
 
   // ---- Fill: one request waits in a register --------------------------------------------------
-  assign can_fill    = (!rd_valid_q || (rd_valid_o && rd_ready_i)) && !moving && !claiming;
-  assign fill_lookup = can_fill && lookup_valid_q && !new_q && !forward_q && !present && !raced_q && lookup_free;
-  assign fill_hint   = can_fill && !fill_lookup && hint_valid_q && hint_free && !hint_done && !hint_raced_q;
+  // A hint's hangs on no update of this cycle, so that what hints wait for is known early: an update
+  // that takes a line waits for it, and the lookup's fill for the update.
+  assign can_fill    = !rd_valid_q || (rd_valid_o && rd_ready_i);
+  assign wants_fill  = lookup_valid_q && !new_q && !forward_q && !present && !raced_q && lookup_free;
+  assign fill_lookup = can_fill && wants_fill && !moving && !claiming;
+  assign fill_hint   = can_fill && !wants_fill && hint_valid_q && hint_free && !hint_done && !hint_raced_q;
   assign hint_ready_o = !hint_valid_q || hint_done || fill_hint || (hint_weak_q && !hint_free);
   assign fill        = fill_lookup || fill_hint;
   assign fill_addr   = fill_lookup ? lookup_q : hint_q;
@@ -192,7 +191,9 @@ module line_cache #(
   assign new_ready      = lookup_valid_q && new_q && !forward_q && !raced_q && !present && lookup_free;
   assign in_place       = (hit_o || new_ready) && update_addr_i == lookup_q;
   assign update_ready_o = (!wr_valid_q || wr_ready_i)
-                          && (in_place || (!busy_q[line_of(update_set, 1'b0)] && !busy_q[line_of(update_set, 1'b1)]));
+                          && ((hit_o && in_place)
+                              || (!fill_hint && (in_place || (!busy_q[line_of(update_set, 1'b0)]
+                                                              && !busy_q[line_of(update_set, 1'b1)]))));
   assign updating       = update_i && update_ready_o;
   assign moving         = updating && !in_place;
   assign claiming       = updating && in_place && new_ready;
@@ -284,6 +285,8 @@ module line_cache #(
 
   always_ff @(posedge clk_i) begin
     if (lookup_i) lookup_q <= lookup_addr_i;
+    if (lookup_i) lookup_set <= read_set;
+    if (hint_valid_i && hint_ready_o) hint_set <= hint_read_set;
     if (lookup_i) new_q <= lookup_new_i;
     if (hint_valid_i && hint_ready_o) hint_q <= hint_addr_i;
     if (hint_valid_i && hint_ready_o) hint_weak_q <= hint_weak_i;

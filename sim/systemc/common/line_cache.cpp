@@ -75,20 +75,29 @@ bool LineCache::in_place(Address address) const {
   return (hit_ || new_ready) && address == r_.lookup_address;
 }
 
-bool LineCache::update_ready(Address address, bool write_ready) const {
+bool LineCache::update_ready(Address address, bool write_ready, bool read_ready) const {
   if (r_.write && !write_ready) return false;
-  if (in_place(address)) return true;
+  const bool here = in_place(address);
+  if (here && hit_) return true;
+  if (fills_hint(read_ready)) return false;
   const Line* const set = &lines_[2 * set_of(address)];
-  return !set[0].busy && !set[1].busy;
+  return here || (!set[0].busy && !set[1].busy);
+}
+
+bool LineCache::wants_fill() const {
+  return r_.lookup && !r_.is_new && !r_.forward && !present_ && !r_.raced && lookup_free_;
+}
+
+/// Hangs on no update; one that takes a line waits for it.
+bool LineCache::fills_hint(bool read_ready) const {
+  return (!r_.read || (reads() && read_ready)) && !wants_fill() && r_.hint && hint_free_ &&
+         !hint_done_ && !r_.hint_raced;
 }
 
 LineCache::Fill LineCache::fill(const Inputs& in) const {
-  // An update that takes a line goes first.
   const bool takes_line = in.update && (!in_place(in.update_address) || !hit_);
-  if ((r_.read && !(reads() && in.read_ready)) || takes_line) return {false, false};
-  const bool lookup =
-      r_.lookup && !r_.is_new && !r_.forward && !present_ && !r_.raced && lookup_free_;
-  return {lookup, !lookup && r_.hint && hint_free_ && !hint_done_ && !r_.hint_raced};
+  const bool can = !r_.read || (reads() && in.read_ready);
+  return {can && wants_fill() && !takes_line, fills_hint(in.read_ready)};
 }
 
 bool LineCache::hint_ready(const Inputs& in) const {

@@ -38,7 +38,8 @@ class LineCache : public sc_core::sc_module {
   unsigned read_line() const { return r_.read_line; }
   bool writes() const { return r_.write; }
   Address address_of(unsigned line) const { return keys_[line]; }
-  bool update_ready(Address address, bool write_ready) const;
+  /// @param read_ready  counts only where there are hints
+  bool update_ready(Address address, bool write_ready, bool read_ready = false) const;
   /// Would a hint be taken? Of `in` only the update and the memory's readiness count.
   bool hint_ready(const Inputs& in) const;
 
@@ -65,6 +66,8 @@ class LineCache : public sc_core::sc_module {
 
   unsigned set_of(Address address) const;
   bool in_place(Address address) const;
+  bool wants_fill() const;
+  bool fills_hint(bool read_ready) const;
   Fill fill(const Inputs& in) const;
   bool takes_hint(const Fill& fill) const;
   void settle();

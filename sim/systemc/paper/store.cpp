@@ -57,7 +57,7 @@ Cycle Store::wipe() {
   const auto go_on = [](CachedMemory& memory, Cycle now, std::uint32_t& at, std::uint32_t end) {
     LineCache::Inputs in = memory.inputs(now);
     in.update_address = at;
-    in.update = at != end && memory.cache.update_ready(at, in.write_ready);
+    in.update = at != end && memory.cache.update_ready(at, in.write_ready, in.read_ready);
     at += in.update;
     memory.step(in);
   };
@@ -193,9 +193,9 @@ bool Store::step(const Operation* offered, bool begins) {
     const SlbStep& s = walk_.plan(records.cache.hit(), texel_hit);
     const Operation& o = walk_.operation();
     const bool record_ready =
-        !s.write || records.cache.update_ready(s.write_address, record.write_ready);
+        !s.write || records.cache.update_ready(s.write_address, record.write_ready, record.read_ready);
     const bool texel_ready =
-        !s.touch || (texel_hit && texels.cache.update_ready(o.word, texel.write_ready));
+        !s.touch || (texel_hit && texels.cache.update_ready(o.word, texel.write_ready, texel.read_ready));
     acts = s.act;
     fire = s.act && record_ready && texel_ready;
     last = fire && s.last;
