@@ -30,6 +30,13 @@ std::vector<std::string> side_by_side(const Frame& frame, const std::vector<Frag
   return lines;
 }
 
+template <typename Named>
+Named named(const std::vector<Named>& all, const std::string& name) {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Named& n) { return n.name == name; });
+  return found == all.end() ? Named{} : *found;
+}
+
 /// "pass 2, texel: systemc 12, rtl 13" for each figure that differs.
 void compare_pass(const char* name, const PassCycles& model, const PassCycles& rtl,
                   std::vector<std::string>& lines) {
@@ -39,6 +46,28 @@ void compare_pass(const char* name, const PassCycles& model, const PassCycles& r
   compare("cycles", model.total, rtl.total);
   compare("items", model.items, rtl.items);
   for (const auto& [cause, cycles] : rtl.causes) compare(cause, model.of(cause), cycles);
+  if (model.traffic) {
+    compare("texel reads", model.traffic->texel_reads, rtl.traffic->texel_reads);
+    compare("texel bytes", model.traffic->texel_bytes, rtl.traffic->texel_bytes);
+    compare("slb reads", model.traffic->slb_reads, rtl.traffic->slb_reads);
+    compare("slb bytes", model.traffic->slb_bytes, rtl.traffic->slb_bytes);
+  }
+  // What the model does not meter is absent there.
+  for (const CacheCounts& mine : model.caches) {
+    const CacheCounts other = named(rtl.caches, mine.name);
+    compare(mine.name + " look-ups", mine.lookups, other.lookups);
+    compare(mine.name + " misses", mine.misses, other.misses);
+  }
+  for (const QueueCycles& mine : model.queues) {
+    const QueueCycles other = named(rtl.queues, mine.name);
+    const std::size_t most = std::max(mine.cycles.size(), other.cycles.size());
+    const auto at = [](const QueueCycles& q, std::size_t n) {
+      return n < q.cycles.size() ? q.cycles[n] : 0;
+    };
+    for (std::size_t n = 0; n < most; ++n) {
+      compare(fmt::format("cycles with {} words in {}", n, mine.name), at(mine, n), at(other, n));
+    }
+  }
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "sim/report/verdicts.h"
 #include "sim/systemc/engine.h"
 #include "testbench/synthesis/gates.h"
+#include "testbench/verilator/rtl_engine.h"
 #include "traces/format/error.h"
 
 namespace kagesen {
@@ -28,7 +29,7 @@ struct RunOptions {
   InputOptions input;
   SettingsOptions settings;
   SimulateOptions simulate;
-  std::string folder = "out", json, verdicts, timeline, window = "0-20000";
+  std::string folder = "out", json, verdicts, timeline, window = "0-20000", pass = "2";
   bool no_reference = false, no_images = false, scene_exact = false;
 };
 
@@ -52,22 +53,23 @@ SceneExact check_scene(const Scene& scene, const LightSpace& light_space, const 
 /// Nothing without --timeline.
 std::optional<Timeline> window_of(const RunOptions& options) {
   if (options.timeline.empty()) return std::nullopt;
-  if (options.simulate.engine != "systemc") {
-    throw UserError("--timeline", "only systemc has one", "add --engine systemc");
+  if (options.simulate.engine == "golden") {
+    throw UserError("--timeline", "golden has no clock", "add --engine systemc or rtl");
   }
+  const auto pass = static_cast<unsigned>(parse_number("--timeline-pass", options.pass, 1, 2));
   const std::size_t dash = options.window.find('-', 1);
   const double first = parse_number("--timeline-cycles", options.window.substr(0, dash), 0, 1e15);
   const double last = dash == std::string::npos
                           ? first
                           : parse_number("--timeline-cycles", options.window.substr(dash + 1), first, 1e15);
-  return Timeline(static_cast<Cycle>(first), static_cast<Cycle>(last));
+  return Timeline(pass, static_cast<Cycle>(first), static_cast<Cycle>(last));
 }
 
 void add_fragments(const std::vector<FragmentCycles>& cycles, Timeline& timeline) {
-  const std::uint32_t track = timeline.add_track("fragments");
-  timeline.set_base(0);
+  const std::uint32_t track = timeline.track("fragments", Timeline::Kind::kWork);
+  timeline.begin(2, 0);
   for (std::size_t i = 0; i < cycles.size(); ++i) {
-    timeline.add(track, "fragment", i, cycles[i].accepted, cycles[i].retired);
+    timeline.work(track, "fragment", i, cycles[i].accepted, cycles[i].retired);
   }
 }
 
@@ -90,8 +92,10 @@ void run(RunOptions& options) {
   std::optional<Timeline> timeline = window_of(options);
   if (timeline) {
     // The first engine's; a second one runs for the judgement alone.
-    options.simulate.make = [to = &*timeline](const std::string&) mutable {
-      return make_systemc_engine({{}, true, std::exchange(to, nullptr)});
+    options.simulate.make = [to = &*timeline](const std::string& name) mutable {
+      Timeline* const first = std::exchange(to, nullptr);
+      if (name == "rtl") return make_rtl_engine({BuildKind::kFast, {}, true, first, {}});
+      return make_systemc_engine({{}, true, first});
     };
   }
 
@@ -144,6 +148,7 @@ void run(RunOptions& options) {
   }
   if (timeline) {
     add_fragments(result.fragment_cycles, *timeline);
+    timeline->finish();
     *timeline_file << timeline_json(*timeline);
   }
   const std::string text = report_json(trace, result).dump(2) + "\n";
@@ -177,11 +182,15 @@ void add_run(CLI::App& app) {
   command.add_option("--verdicts", options->verdicts, "A line for every fragment, as text")
       ->type_name("FILE")
       ->group("Output");
-  command.add_option("--timeline", options->timeline, "What pass 2 did when, for Perfetto; with --engine systemc")
+  command.add_option("--timeline", options->timeline, "What the unit did when, for Perfetto")
       ->type_name("FILE")
       ->group("Output");
   command.add_option("--timeline-cycles", options->window, "Of which cycles")
       ->type_name("A-B")
+      ->capture_default_str()
+      ->group("Output");
+  command.add_option("--timeline-pass", options->pass, "Of which pass")
+      ->type_name("1|2")
       ->capture_default_str()
       ->group("Output");
   command.add_flag("--no-images", options->no_images, "No pictures")->group("Output");

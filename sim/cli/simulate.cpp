@@ -96,7 +96,7 @@ struct Passes {
 std::unique_ptr<Engine> make_engine(const std::string& name) {
   if (name == "golden") return make_golden_engine();
   if (name == "systemc") return make_systemc_engine({{}, true});
-  if (name == "rtl") return make_rtl_engine({BuildKind::kFast, {}, true});
+  if (name == "rtl") return make_rtl_engine({BuildKind::kFast, {}, true, nullptr, {}});
   throw UserError("--engine", fmt::format("there is no '{}'", name),
                   suggestion(name, {"golden", "systemc", "rtl"}));
 }

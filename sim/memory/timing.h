@@ -11,9 +11,9 @@
 #include <stdexcept>
 #include <vector>
 
-namespace kagesen {
+#include "sim/memory/read_cache.h"
 
-using Cycle = std::uint64_t;
+namespace kagesen {
 
 /// The same timing gives the same cycles again.
 struct Timing {
@@ -27,6 +27,8 @@ struct Timing {
   std::uint32_t bank_busy = 1;     ///< cycles from one read of a bank to its next, at least
   std::uint32_t row_words = 0;     ///< words of a bank's row; 0: a bank is one row
   std::uint32_t row_miss = 0;      ///< more of both, where another row is open
+  CacheShape texel_cache, slb_cache;  ///< behind each port; a pass finds it empty
+  std::uint32_t cache_latency = 1;    ///< cycles from a request to the response of a word that is there
   std::uint64_t seed = 1;
 };
 
@@ -97,18 +99,19 @@ class ReadTiming {
   static constexpr std::uint32_t kTags = 256;         ///< reads under way at most
 
   void configure(const Timing& timing) {
-    const std::uint64_t queue = std::uint64_t{kTags} * (timing.bank_busy + timing.row_miss);
     if (timing.latency < 1 || timing.interval < 1 || timing.banks < 1 || timing.bank_busy < 1 ||
-        timing.latency + timing.spread + (simple_banks(timing) ? kTags : queue) >= kMaxDelay) {
+        timing.cache_latency < 1 || longest_delay(timing) >= kMaxDelay) {
       throw std::invalid_argument("memory timing out of range");
     }
     timing_ = timing;
-    constant_ = timing.spread == 0 && timing.memory_stall == 0 && timing.interval == 1 &&
-                timing.outstanding == 0 && simple_banks(timing);
-    due_.assign(timing.spread == 0 && simple_banks(timing) ? 0 : kMaxDelay, 0);
+    in_order_ = timing.spread == 0 && simple_banks(timing) && timing.texel_cache.lines == 0 &&
+                timing.slb_cache.lines == 0;
+    constant_ = in_order_ && timing.memory_stall == 0 && timing.interval == 1 &&
+                timing.outstanding == 0;
+    due_.assign(in_order_ ? 0 : kMaxDelay, 0);
     begin_pass({}, Channel::kTexelReads, 0);
   }
-  /// Nothing is under way, no row is open.
+  /// Nothing is under way, no row is open, the cache is empty.
   void begin_pass(PassNumber pass, Channel channel, unsigned lane) {
     const Chance chance(timing_.seed, pass, channel, lane);
     stalls_ = Stalls(timing_.memory_stall, chance);
@@ -116,11 +119,22 @@ class ReadTiming {
     free_ = 0;
     banks_.assign(timing_.banks, {});
     under_way_ = {};
+    cache_.configure(channel == Channel::kTexelReads ? timing_.texel_cache
+                     : channel == Channel::kSlbReads ? timing_.slb_cache
+                                                     : CacheShape{});
     std::fill(due_.begin(), due_.end(), 0);
   }
 
-  /// A read's time does not depend on its address.
-  static bool simple_banks(const Timing& t) { return t.bank_busy == 1 && t.row_miss == 0; }
+  /// The time of an SLB's read depends on its address.
+  static bool slb_address_counts(const Timing& t) {
+    return !simple_banks(t) || t.slb_cache.lines != 0;
+  }
+  /// Cycles from a request's acceptance to its response, at most.
+  static Cycle longest_delay(const Timing& t) {
+    const Cycle queue = simple_banks(t) ? kTags : Cycle{kTags} * (t.bank_busy + t.row_miss);
+    const Cycle line = std::max(t.texel_cache.line_words, t.slb_cache.line_words);
+    return t.latency + t.spread + queue + (line - 1) * t.interval + t.cache_latency;
+  }
   /// Every read is taken at once and takes timing().latency cycles.
   bool constant() const { return constant_; }
   const Timing& timing() const { return timing_; }
@@ -139,19 +153,28 @@ class ReadTiming {
   }
   /// A request is taken. Returns the cycle of its response.
   Cycle accept(Cycle now, std::uint64_t word) {
-    free_ = now + timing_.interval;
+    if (!cache_.none()) {
+      if (const Cycle* there = cache_.look_up(word)) {
+        free_ = now + 1;
+        return respond(std::max(now + timing_.cache_latency, *there));
+      }
+    }
+    // A line comes word by word, the one that is asked for first.
+    const Cycle rest = (cache_.line_words() - 1) * timing_.interval;
+    free_ = now + timing_.interval + rest;
     Cycle at = now + timing_.latency;
     if (!simple_banks(timing_)) at += wait_for_bank(now, word);
     if (timing_.spread != 0) at += lateness_.below(timing_.spread + 1, now);
-    if (!due_.empty()) {
-      while (due_[at % kMaxDelay] == at) ++at;
-      due_[at % kMaxDelay] = at;
-    }
-    if (timing_.outstanding != 0) under_way_.push(at);
-    return at;
+    if (!cache_.none()) cache_.fill(word, at + rest);
+    return respond(at);
   }
+  /// What the cache was asked for in this pass; counts nothing where there is none.
+  ReadCache& cache() { return cache_; }
+  const ReadCache& cache() const { return cache_; }
 
  private:
+  static bool simple_banks(const Timing& t) { return t.bank_busy == 1 && t.row_miss == 0; }
+
   struct Bank {
     Cycle free = 0;
     std::uint64_t row = ~std::uint64_t{0};
@@ -163,6 +186,15 @@ class ReadTiming {
   }
   bool full() const {
     return timing_.outstanding != 0 && under_way_.size() >= timing_.outstanding;
+  }
+  /// A port gives one response a cycle.
+  Cycle respond(Cycle at) {
+    if (!due_.empty()) {
+      while (due_[at % kMaxDelay] == at) ++at;
+      due_[at % kMaxDelay] = at;
+    }
+    if (timing_.outstanding != 0) under_way_.push(at);
+    return at;
   }
   Cycle wait_for_bank(Cycle now, std::uint64_t word) {
     const std::uint64_t row = timing_.row_words ? word / timing_.row_words : word % timing_.banks;
@@ -176,7 +208,8 @@ class ReadTiming {
   }
 
   Timing timing_;
-  bool constant_ = false;
+  bool constant_ = false, in_order_ = false;
+  ReadCache cache_;
   Stalls stalls_;
   Chance lateness_;
   Cycle free_ = 0;  // for the next request

@@ -132,13 +132,31 @@ Json skips_json(const SkipCounters& s) {
           {"first_test_dark", s.first_test_dark}};
 }
 
+Json traffic_json(const MemoryTraffic& t, std::uint64_t items) {
+  return {{"texel_reads", t.texel_reads},
+          {"texel_bytes", t.texel_bytes},
+          {"slb_reads", t.slb_reads},
+          {"slb_bytes", t.slb_bytes},
+          {"bytes_per_item", items ? double(t.texel_bytes + t.slb_bytes) / double(items) : 0}};
+}
+
 Json pass_json(const PassCycles& pass) {
-  Json causes = Json::object();
+  Json causes = Json::object(), queues = Json::object(), caches = Json::object();
   for (const auto& [name, cycles] : pass.causes) causes[name] = cycles;
-  return {{"total", pass.total},
-          {"items", pass.items},
-          {"per_item", pass.per_item()},
-          {"causes", causes}};
+  for (const QueueCycles& q : pass.queues) {
+    queues[q.name] = {{"mean", q.mean()}, {"most", q.most()}, {"cycles", q.cycles}};
+  }
+  for (const CacheCounts& c : pass.caches) {
+    caches[c.name] = {{"lookups", c.lookups}, {"misses", c.misses}, {"hit_rate", c.hit_rate()}};
+  }
+  Json json = {{"total", pass.total},
+               {"items", pass.items},
+               {"per_item", pass.per_item()},
+               {"causes", causes}};
+  if (!queues.empty()) json["queues"] = queues;
+  if (!caches.empty()) json["caches"] = caches;
+  if (pass.traffic) json["traffic"] = traffic_json(*pass.traffic, pass.items);
+  return json;
 }
 
 Json fragment_json(const FragmentFigures& f) {
@@ -155,15 +173,6 @@ Json fragment_json(const FragmentFigures& f) {
           {"latency_mean", f.latency_mean},
           {"latency_most", f.latency_most},
           {"in_flight", f.in_flight}};
-}
-
-Json traffic_json(const MemoryTraffic& t, std::uint64_t fragments) {
-  return {{"texel_reads", t.texel_reads},
-          {"texel_bytes", t.texel_bytes},
-          {"slb_reads", t.slb_reads},
-          {"slb_bytes", t.slb_bytes},
-          {"bytes_a_fragment",
-           fragments ? double(t.texel_bytes + t.slb_bytes) / double(fragments) : 0}};
 }
 
 Json cycles_json(const Trace& trace, const RunResult& result) {
@@ -184,9 +193,6 @@ Json cycles_json(const Trace& trace, const RunResult& result) {
     if (!result.fragment_cycles.empty()) {
       pass2["fragment"] =
           fragment_json(fragment_figures(trace, result.fragment_cycles, cycles.pass2->total));
-    }
-    if (cycles.pass2->traffic) {
-      pass2["traffic"] = traffic_json(*cycles.pass2->traffic, cycles.pass2->items);
     }
   }
   if (const std::optional<double> frames = result.frames_per_s()) {

@@ -135,6 +135,28 @@ void fragment_rows(Rows& rows, const Trace& trace, const RunResult& result) {
                                     f.latency_mean, grouped(f.latency_most)));
 }
 
+void traffic_row(Rows& rows, const char* label, const PassCycles& pass, const char* item) {
+  if (!pass.traffic || pass.items == 0) return;
+  const MemoryTraffic& t = *pass.traffic;
+  const auto each = [&](std::uint64_t n) { return double(n) / double(pass.items); };
+  rows.add(label, fmt::format("{:.3f} texel words and {:.3f} SLB records a {}, {:.1f} bytes",
+                              each(t.texel_reads), each(t.slb_reads), item,
+                              each(t.texel_bytes + t.slb_bytes)));
+}
+
+/// How full queues were, and how often words were there.
+void queue_rows(Rows& rows, const char* label, const PassCycles& pass) {
+  std::string text;
+  for (const QueueCycles& q : pass.queues) {
+    text += fmt::format("{}{} {:.1f} (most {})", text.empty() ? "" : ", ", q.name, q.mean(), q.most());
+  }
+  if (!text.empty()) rows.add(label, text);
+  for (const CacheCounts& c : pass.caches) {
+    rows.add("", fmt::format("{}: {:.1f} % of {} there", c.name, 100 * c.hit_rate(),
+                             counted(c.lookups, "look-up")));
+  }
+}
+
 void cycle_rows(Rows& rows, const Trace& trace, const RunResult& result) {
   const CycleReport& cycles = *result.cycles;
   rows.heading("Clock cycles");
@@ -144,6 +166,8 @@ void cycle_rows(Rows& rows, const Trace& trace, const RunResult& result) {
     rows.add("pass 1", pass_text(*cycles.pass1, "texel"));
     rows.add("", fmt::format("{:.3f} an edge texel, {:.3f} a span texel", cycles.per_edge_texel(),
                              cycles.per_span_texel()));
+    traffic_row(rows, "", *cycles.pass1, "texel");
+    queue_rows(rows, "queues of pass 1", *cycles.pass1);
   }
   if (cycles.settle.value_or(0) > 0) rows.add("settle", grouped(*cycles.settle));
   if (const std::optional<double> frames = result.frames_per_s()) {
@@ -153,13 +177,8 @@ void cycle_rows(Rows& rows, const Trace& trace, const RunResult& result) {
   if (!cycles.pass2) return;
   rows.add("pass 2", pass_text(*cycles.pass2, "fragment"));
   if (!result.fragment_cycles.empty()) fragment_rows(rows, trace, result);
-  if (const auto& t = cycles.pass2->traffic; t && cycles.pass2->items > 0) {
-    const auto a_fragment = [&](std::uint64_t n) { return double(n) / double(cycles.pass2->items); };
-    rows.add("memory reads",
-             fmt::format("{:.3f} texel words and {:.3f} SLB records a fragment, {:.1f} bytes",
-                         a_fragment(t->texel_reads), a_fragment(t->slb_reads),
-                         a_fragment(t->texel_bytes + t->slb_bytes)));
-  }
+  traffic_row(rows, "memory reads", *cycles.pass2, "fragment");
+  queue_rows(rows, "queues of pass 2", *cycles.pass2);
 }
 
 std::string engine_text(const RunResult& result) {

@@ -2,7 +2,7 @@
 /// A timeline in Chrome's trace format, which Perfetto opens. A cycle is shown as a microsecond.
 #include <string>
 
-#include "sim/systemc/common/timeline.h"
+#include "sim/common/timeline.h"
 
 namespace kagesen {
 

@@ -7,7 +7,7 @@
 
 #include "model/engine.h"
 #include "sim/memory/timing.h"
-#include "sim/systemc/common/timeline.h"
+#include "sim/common/timeline.h"
 
 namespace kagesen {
 

@@ -5,8 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
+#include <vector>
 
+#include "model/cycle_report.h"
 #include "model/fragment_cycles.h"
+#include "sim/common/timeline.h"
 #include "sim/memory/timing.h"
 
 namespace kagesen::bench {
@@ -121,11 +124,18 @@ class Bench {
 
   virtual const Events& events() const = 0;
   virtual const PassCycles& cycles(Pass pass) const = 0;
+  /// Of kDraw those of the store, of kDecide those of the lanes; by name.
+  virtual std::vector<QueueCycles> queues(Pass pass) const = 0;
+  virtual std::vector<CacheCounts> caches(Pass pass) = 0;
+  virtual std::uint64_t texel_reads(Pass pass) const = 0;  ///< words, of all ports
+  virtual std::uint64_t slb_reads(Pass pass) const = 0;
   virtual std::uint64_t now() const = 0;  ///< cycles since the bench was made
   virtual std::uint64_t pass_began() const = 0;  ///< now() in the first cycle of the last pass
   virtual MemoryWords texel_memory() const = 0;
   virtual MemoryWords slb_memory() const = 0;
 
+  /// What the unit does in passes to come goes here too; null: no more.
+  virtual void record(Timeline* timeline) = 0;
   /// Writes an FST wave of the cycles from `first` to `last`; only in a build with waves. A null
   /// path ends it early.
   virtual void trace(const char* path, std::uint64_t first, std::uint64_t last) = 0;

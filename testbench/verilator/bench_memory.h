@@ -52,7 +52,8 @@ class ReadPort {
     first_ = first;
   }
   bool ready(Cycle now) { return timing_.ready(now - first_); }
-  void accept(Cycle now, std::uint8_t tag, std::uint64_t address, const std::uint32_t* words) {
+  /// Returns the cycle of the response.
+  Cycle accept(Cycle now, std::uint8_t tag, std::uint64_t address, const std::uint32_t* words) {
     if (under_way_[tag]) throw Failure("a memory tag is used before its response came");
     under_way_[tag] = true;
     Cycle at = first_ + timing_.accept(now - first_, address);
@@ -62,7 +63,10 @@ class ReadPort {
     response.tag = tag;
     std::memcpy(response.words, words, sizeof response.words);
     ++outstanding_;
+    return at;
   }
+  ReadCache& cache() { return timing_.cache(); }
+  std::uint32_t outstanding() const { return outstanding_; }
   /// The response of this cycle, or null. It stays valid until the next accept().
   const Response* take(Cycle now) {
     if (outstanding_ == 0) return nullptr;

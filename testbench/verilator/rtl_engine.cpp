@@ -81,9 +81,21 @@ bench::Triangle beat_of(const Caster& caster) {
   return beat;
 }
 
+std::uint64_t bytes_of(std::uint64_t words, const bench::MemoryWords& memory) {
+  return words * ((memory.bits + 7) / 8);
+}
+
 template <std::size_t kNames>
-PassCycles pass_cycles(const bench::PassCycles& of, const char* const (&names)[kNames]) {
+PassCycles pass_cycles(bench::Bench& bench, Pass pass, const char* const (&names)[kNames]) {
+  const bench::PassCycles& of = bench.cycles(pass);
   PassCycles out;
+  out.queues = bench.queues(pass);
+  out.caches = bench.caches(pass);
+  MemoryTraffic& traffic = out.traffic.emplace();
+  traffic.texel_reads = bench.texel_reads(pass);
+  traffic.texel_bytes = bytes_of(traffic.texel_reads, bench.texel_memory());
+  traffic.slb_reads = bench.slb_reads(pass);
+  traffic.slb_bytes = bytes_of(traffic.slb_reads, bench.slb_memory());
   out.total = of.total;
   out.items = of.items;
   std::uint64_t unknown = 0;
@@ -103,6 +115,7 @@ PassCycles pass_cycles(const bench::PassCycles& of, const char* const (&names)[k
 RtlEngine::~RtlEngine() { release(); }
 
 void RtlEngine::release() {
+  if (bench_) bench_->record(nullptr);
   if (bench_) pool().give(built_, std::move(bench_));
 }
 
@@ -126,6 +139,7 @@ void RtlEngine::begin(const UnitConfig& config, const FrameSetup& setup) {
   fragment_cycles_.clear();
   bench_->set_timing(options_.timing.value_or(configured_timing(config)));
   bench_->clear();
+  bench_->record(options_.timeline);
   write_settings(config, setup);
   cut_ = !bench_->wipe();
 }
@@ -283,11 +297,11 @@ std::optional<CycleReport> RtlEngine::cycles() const {
   report.clear = bench_->cycles(Pass::kWipe).total;
   report.announce = bench_->cycles(Pass::kAnnounce).total;
   report.settle = bench_->cycles(Pass::kSettle).total;
-  report.pass1 = pass_cycles(bench_->cycles(Pass::kDraw), kStoreCauses);
+  report.pass1 = pass_cycles(*bench_, Pass::kDraw, kStoreCauses);
   report.edge_texels = bench_->events().edge_texels;
   report.span_texels = bench_->events().span_texels;
   report.pass1->items = report.edge_texels + report.span_texels;
-  report.pass2 = pass_cycles(bench_->cycles(Pass::kDecide), kLaneCauses);
+  report.pass2 = pass_cycles(*bench_, Pass::kDecide, kLaneCauses);
   return report;
 }
 

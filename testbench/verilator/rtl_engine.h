@@ -15,6 +15,7 @@ struct RtlOptions {
   /// How memories and streams behave; empty: as the configuration says.
   std::optional<Timing> timing;
   bool keep_cycles = false;  ///< of every fragment
+  Timeline* timeline = nullptr;  ///< takes what the unit does in its pass
   std::vector<SourceText>
       replaced;  ///< sources of the bench, instead of the program's own or beside
 };

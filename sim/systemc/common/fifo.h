@@ -18,6 +18,7 @@ class Fifo {
   bool valid() const { return valid_; }
   const Word& front() const { return out_; }
   bool empty() const { return !valid_ && words_.empty(); }
+  std::size_t words() const { return words_.size() + valid_; }  ///< the one at the output too
 
   /// The clock's edge. @param push  null: nothing came  @param ready  the front is taken, if valid
   /// @return did anything change?

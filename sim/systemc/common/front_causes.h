@@ -11,6 +11,7 @@ namespace kagesen::tlm_model {
 
 class FrontCauses {
  public:
+  enum Why : std::uint8_t { kSetup, kNone, kWalk };
   struct Cycles {
     std::uint64_t setup = 0, none = 0, walk = 0;
   };
@@ -23,14 +24,23 @@ class FrontCauses {
   /// Of the cycles from `from` to before `to`, which are known. Calls come in the order of time.
   Cycles of(Cycle from, Cycle to) {
     Cycles result;
+    split(from, to, [&](Why why, Cycle begin, Cycle end) {
+      (why == kSetup ? result.setup : why == kNone ? result.none : result.walk) += end - begin;
+    });
+    return result;
+  }
+  /// The same piece by piece. @param tell  (why, first cycle, the one after the last)
+  template <typename Tell>
+  void split(Cycle from, Cycle to, Tell tell) {
     while (!spans_.empty() && spans_.front().to <= from) spans_.pop_front();
     for (const Span& span : spans_) {
       if (span.from >= to) break;
-      const Cycle cycles = std::min(to, span.to) - std::max(from, span.from);
-      (span.setup ? result.setup : result.none) += cycles;
+      if (from < span.from) tell(kWalk, from, span.from);
+      const Cycle begin = std::max(from, span.from), end = std::min(to, span.to);
+      tell(span.setup ? kSetup : kNone, begin, end);
+      from = end;
     }
-    result.walk = to - from - result.setup - result.none;
-    return result;
+    if (from < to) tell(kWalk, from, to);
   }
 
  private:

@@ -11,11 +11,14 @@
 #include <vector>
 
 #include "sim/systemc/common/clock.h"
+#include "sim/systemc/common/queue_meter.h"
 
 namespace kagesen::tlm_model {
 
 class LaneSlots : public sc_core::sc_module {
  public:
+  QueueMeter meter;  ///< fragments in flight
+
   explicit LaneSlots(const sc_core::sc_module_name& name) : sc_module(name) {}
 
   /// @param slots     a power of two
@@ -23,6 +26,8 @@ class LaneSlots : public sc_core::sc_module {
   void begin_pass(std::uint32_t slots, const Stalls& refusals) {
     mask_ = slots - 1;
     done_.assign(slots, kNever);
+    taken_in_.resize(slots);
+    meter.begin_pass();
     refusals_ = refusals;
     retired_ = 0;
     taken_ = 0;
@@ -32,7 +37,11 @@ class LaneSlots : public sc_core::sc_module {
     return static_cast<std::uint32_t>(fragment) & mask_;
   }
 
-  void open(std::uint32_t slot) { done_[slot] = kNever; }
+  /// A fragment is taken in this cycle.
+  void open(std::uint32_t slot, Cycle at) {
+    done_[slot] = kNever;
+    taken_in_[slot] = at;
+  }
   /// The verdict is decided in this cycle.
   void decide(std::uint32_t slot, Cycle at) { done_[slot] = at + 1; }
   bool decided(std::uint32_t slot) const { return done_[slot] != kNever; }
@@ -43,16 +52,17 @@ class LaneSlots : public sc_core::sc_module {
   /// Retires the oldest fragment, which is decided. Returns the cycle in which its slot is fetched;
   /// last_taken() is then the one in which its verdict is taken.
   Cycle retire() {
-    const Cycle done = done_[slot_of(retired_++)];
-    const Cycle fetched = done > taken_ ? done : taken_;
+    const std::uint32_t slot = slot_of(retired_++);
+    const Cycle fetched = done_[slot] > taken_ ? done_[slot] : taken_;
     taken_ = refusals_.next(fetched + 1);
+    meter.word(taken_in_[slot], taken_);
     return fetched;
   }
   Cycle last_taken() const { return taken_; }
 
  private:
   std::uint32_t mask_ = 0;
-  std::vector<Cycle> done_;  // a slot each
+  std::vector<Cycle> done_, taken_in_;  // a slot each
   Stalls refusals_;
   std::uint64_t retired_ = 0;
   Cycle taken_ = 0;  // when the last verdict was

@@ -5,6 +5,7 @@
 ///         was taken, that one counted.
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,6 +32,7 @@ class Lanes {
       l->slb_memory.configure(timing);
       l->lane.clear();
     }
+    caches_.clear();
     passes_ = 0;
     total_ = fragments_ = 0;
     traffic_ = {};
@@ -38,10 +40,7 @@ class Lanes {
 
   /// @param timeline  takes what the lanes do; or null
   void trace(Timeline* timeline) {
-    for (auto& l : lanes_) {
-      l->lane.texel_port().trace(timeline);
-      l->lane.slb_port().trace(timeline);
-    }
+    for (unsigned l = 0; l < lanes_.size(); ++l) lanes_[l]->lane.trace(timeline, name_of(l));
     timeline_ = timeline;
   }
 
@@ -51,7 +50,7 @@ class Lanes {
   void run(typename ShadowLane::Pass pass, const Fragment* fragments, std::size_t count,
            Verdict* verdicts, FragmentCycles* cycles, Decide decide) {
     const PassNumber number{kDecide, passes_++};
-    if (timeline_) timeline_->set_base(total_);
+    if (timeline_) timeline_->begin(2, total_);
     pass.stride = lanes_.size();
     for (unsigned l = 0; l < lanes_.size(); ++l) begin_pass(l, pass, number, cycles);
     std::size_t turn = 0;
@@ -78,6 +77,10 @@ class Lanes {
       traffic_.slb_reads += slb.reads();
       traffic_.slb_bytes += slb.reads() * slb.word_bytes();
     }
+    for (unsigned l = 0; l < lanes_.size(); ++l) {
+      count_cache(name_of(l) + ".texel_cache", lanes_[l]->texel_memory);
+      count_cache(name_of(l) + ".slb_cache", lanes_[l]->slb_memory);
+    }
   }
 
   /// Of the frame's passes; causes of the first lane.
@@ -85,14 +88,27 @@ class Lanes {
     PassCycles out;
     out.total = total_;
     out.items = fragments_;
-    const auto& causes = lanes_[0]->lane.causes();
-    for (std::size_t c = 0; c < causes.size(); ++c) out.causes.emplace_back(kLaneCauses[c], causes[c]);
+    out.causes = lanes_[0]->lane.causes().figures();
+    for (unsigned l = 0; l < lanes_.size(); ++l) lanes_[l]->lane.add_queues(name_of(l), out.queues);
+    std::sort(out.queues.begin(), out.queues.end(),
+              [](const QueueCycles& a, const QueueCycles& b) { return a.name < b.name; });
+    for (const auto& [name, counts] : caches_) out.caches.push_back(counts);
     out.traffic = traffic_;
     return out;
   }
 
  private:
   static constexpr std::uint32_t kDecide = 5;  // shadow_pkg::PassDecide
+
+  static std::string name_of(unsigned lane) { return "lane" + std::to_string(lane); }
+  void count_cache(const std::string& name, const Memory& memory) {
+    const ReadCache& cache = memory.cache();
+    if (cache.lookups() == 0) return;
+    CacheCounts& counts = caches_[name];
+    counts.name = name;
+    counts.lookups += cache.lookups();
+    counts.misses += cache.misses();
+  }
 
   struct Lane {
     ShadowLane lane;
@@ -126,6 +142,7 @@ class Lanes {
   std::uint32_t passes_ = 0;  // of this frame
   std::uint64_t total_ = 0, fragments_ = 0;
   MemoryTraffic traffic_;
+  std::map<std::string, CacheCounts> caches_;  // behind the ports, by name
   Timeline* timeline_ = nullptr;
 };
 

@@ -110,6 +110,7 @@ bool LineCache::takes_hint(const Fill& fill) const {
 }
 
 void LineCache::step(const Inputs& in) {
+  lookups_ += in.lookup;
   const Registers before = r_;
   Registers next = r_;
   const Fill fills = fill(in);

@@ -38,6 +38,9 @@ class LineCache : public sc_core::sc_module {
   unsigned read_line() const { return r_.read_line; }
   bool writes() const { return r_.write; }
   Address address_of(unsigned line) const { return keys_[line]; }
+  /// Words that were looked up since forget_lookups().
+  std::uint64_t lookups() const { return lookups_; }
+  void forget_lookups() { lookups_ = 0; }
   /// @param read_ready  counts only where there are hints
   bool update_ready(Address address, bool write_ready, bool read_ready = false) const;
   /// Would a hint be taken? Of `in` only the update and the memory's readiness count.
@@ -77,6 +80,7 @@ class LineCache : public sc_core::sc_module {
   std::vector<Line> lines_;
   std::vector<Address> keys_;
   unsigned busy_count_ = 0;
+  std::uint64_t lookups_ = 0;
   Registers r_{};
   // What follows from the registers.
   unsigned lookup_set_ = 0, hint_set_ = 0;

@@ -47,8 +47,8 @@ MemoryPort::Read MemoryPort::transport(Cycle asked, std::uint64_t word) {
 }
 
 void MemoryPort::note(Cycle asked, std::uint64_t word, const Read& read) {
-  if (read.accepted > asked) timeline_->add(track_, "waits", word, asked, read.accepted);
-  timeline_->add(track_, "read", word, read.accepted, read.responded);
+  if (read.accepted > asked) timeline_->work(track_, "waits", word, asked, read.accepted);
+  timeline_->work(track_, "read", word, read.accepted, read.responded);
 }
 
 }  // namespace kagesen::tlm_model

@@ -6,12 +6,13 @@
 /// direct access says by it that each read takes the same time; then reads cost no call.
 #include <tlm_utils/simple_initiator_socket.h>
 
+#include <string>
 #include <systemc>
 #include <tlm>
 #include <vector>
 
 #include "sim/systemc/common/clock.h"
-#include "sim/systemc/common/timeline.h"
+#include "sim/common/timeline.h"
 
 namespace kagesen::tlm_model {
 
@@ -45,9 +46,9 @@ class MemoryPort : public sc_core::sc_module {
     return read;
   }
   /// @param timeline  takes every read; or null
-  void trace(Timeline* timeline) {
+  void trace(Timeline* timeline, const std::string& track) {
     timeline_ = timeline;
-    if (timeline != nullptr) track_ = timeline->add_track(name());
+    if (timeline != nullptr) track_ = timeline->track(track, Timeline::Kind::kWork);
   }
   std::uint64_t reads() const { return reads_; }  ///< of this pass
   unsigned word_bytes() const { return word_bytes_; }

@@ -18,6 +18,7 @@ class Memory : public sc_core::sc_module {
   explicit Memory(const sc_core::sc_module_name& name);
 
   void configure(const Timing& timing) { timing_.configure(timing); }
+  const ReadCache& cache() const { return timing_.cache(); }
   void begin_pass(PassNumber pass, Channel channel, unsigned lane, unsigned word_bytes);
 
  private:

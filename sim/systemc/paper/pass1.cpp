@@ -1,7 +1,5 @@
 #include "sim/systemc/paper/pass1.h"
 
-#include "model/cycle_causes.h"
-
 namespace kagesen::tlm_model::paper {
 namespace {
 
@@ -44,11 +42,36 @@ void Pass1::begin_frame(const UnitConfig& config, const FrameSetup& setup, const
   wipe_ = store_.wipe();
   draws_ = 0;
   total_ = 0;
+  traffic_ = {};
+  texel_words_ = {"store.texels.cache"};
+  records_ = {"store.records.records.cache"};
+  texel_cache_ = {"store.texel_cache"};
+  slb_cache_ = {"store.slb_cache"};
+}
+
+/// What the pass added to the frame's counts.
+void Pass1::count_reads() {
+  const MemoryPort &texels = store_.texels.port, &records = store_.records.port;
+  traffic_.texel_reads += texels.reads();
+  traffic_.texel_bytes += texels.reads() * texels.word_bytes();
+  traffic_.slb_reads += records.reads();
+  traffic_.slb_bytes += records.reads() * records.word_bytes();
+  texel_words_.lookups += store_.texels.cache.lookups();
+  texel_words_.misses += texels.reads();
+  records_.lookups += store_.records.cache.lookups();
+  records_.misses += records.reads();
+  texel_cache_.lookups += texel_memory_.cache().lookups();
+  texel_cache_.misses += texel_memory_.cache().misses();
+  slb_cache_.lookups += slb_memory_.cache().lookups();
+  slb_cache_.misses += slb_memory_.cache().misses();
 }
 
 void Pass1::draw(unit::ShadowUnit& golden, const Caster* casters, std::size_t count) {
   const PassNumber number{kDraw, draws_++};
   begin_pass(number);
+  if (timeline_) timeline_->begin(1, total_);
+  store_.texels.cache.forget_lookups();
+  store_.records.cache.forget_lookups();
   front_.begin_pass(config_, texel_bits_, store_);
   const Stalls offers(timing_.stream_stall, Chance(timing_.seed, number, Channel::kTriangles, 0));
   unit::TriangleTrail trail;
@@ -65,6 +88,7 @@ void Pass1::draw(unit::ShadowUnit& golden, const Caster* casters, std::size_t co
   total_ += store_.finish(front_.idle());
   front_.causes().none(front_.idle(), kNever);
   store_.tell(front_.causes(), kNever);
+  count_reads();
 }
 
 void Pass1::report(CycleReport& report, const UnitCounters& counters) const {
@@ -74,8 +98,10 @@ void Pass1::report(CycleReport& report, const UnitCounters& counters) const {
   PassCycles& pass1 = report.pass1.emplace();
   pass1.total = total_;
   pass1.items = counters.edge_texels + counters.span_texels;
-  for (std::size_t c = 0; c < Store::kCauses; ++c) {
-    pass1.causes.emplace_back(kStoreCauses[c], store_.causes()[c]);
+  store_.report(pass1);
+  pass1.traffic = traffic_;
+  for (const CacheCounts& cache : {records_, slb_cache_, texel_cache_, texel_words_}) {
+    if (cache.lookups != 0) pass1.caches.push_back(cache);
   }
 }
 

@@ -25,6 +25,11 @@ class Pass1 : public sc_core::sc_module {
   void draw(unit::ShadowUnit& golden, const Caster* casters, std::size_t count);
   /// Fills in what is of pass 1.
   void report(CycleReport& report, const UnitCounters& counters) const;
+  /// @param timeline  takes what happens in pass 1, its first cycle being 0; or null
+  void trace(Timeline* timeline) {
+    timeline_ = timeline;
+    store_.trace(timeline);
+  }
   /// Where the records stand that a fragment reads.
   void locate(unit::FragmentTrail& trail) const { store_.locate(trail); }
   /// When each triangle of the last draw() was taken.
@@ -32,6 +37,7 @@ class Pass1 : public sc_core::sc_module {
 
  private:
   void begin_pass(PassNumber number);
+  void count_reads();
 
   Front front_;
   Store store_;
@@ -41,6 +47,10 @@ class Pass1 : public sc_core::sc_module {
   unsigned texel_bits_ = 0, texel_bytes_ = 4, record_bytes_ = 4;
   std::uint32_t draws_ = 0;  // of this frame
   Cycle wipe_ = 0, total_ = 0;
+  MemoryTraffic traffic_;
+  CacheCounts texel_words_, records_;       // kept on chip
+  CacheCounts texel_cache_, slb_cache_;     // behind the ports
+  Timeline* timeline_ = nullptr;
   std::vector<Cycle> taken_;
 };
 

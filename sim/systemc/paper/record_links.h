@@ -31,6 +31,7 @@ class RecordLinks {
   }
   bool valid() const { return queue_.valid(); }
   RecordAddress address() const { return queue_.front(); }
+  std::size_t words() const { return queue_.words(); }  ///< that wait to be hinted
   /// Cycles that forgetting all links takes.
   std::size_t wipe_cycles() const { return links_.size(); }
   bool soon_ready(const SlbRecord* came) const { return queue_.ready() && !followed(came); }

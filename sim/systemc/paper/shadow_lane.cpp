@@ -27,16 +27,12 @@ void ShadowLane::take() {
   Cycle offered = pass_.offers.next(first);
   if (offered == kNever) offered = 0;
   accepted_ = std::max({offered, unblamed_, placed_});
-  if (accepted_ > unblamed_) {
-    const Cycle free = std::max(unblamed_, placed_);
-    cause(LaneCause::kTexelPort) += free - unblamed_;
-    cause(LaneCause::kInput) += accepted_ - free;
-  }
-  unblamed_ = accepted_ + 1;
-  ++cause(LaneCause::kFragment);
+  blame(placed_, LaneCause::kTexelPort);
+  blame(accepted_, LaneCause::kInput);
+  blame(accepted_ + 1, LaneCause::kFragment);
   if (pass_.cycles) pass_.cycles[fragments_ * pass_.stride].accepted = accepted_;
   ++fragments_;
-  slots.open(slot);
+  slots.open(slot, accepted_);
   if (!trail.reads_texel) {
     placed_ = TexelBuffers::place(accepted_);
     early_[slot] = kNever;
@@ -81,20 +77,12 @@ void ShadowLane::stuck(std::uint64_t oldest) {
 void ShadowLane::free_slot() {
   const std::uint32_t oldest = slots.slot_of(slots.retired());
   const Cycle free = retire();
-  if (free <= unblamed_) return;
-  blame(oldest, unblamed_, free);
-  unblamed_ = free;
+  if (free > unblamed_) blame_oldest(oldest, free);
 }
 
-/// No slot is free in the cycles [from, to): what keeps the oldest fragment?
-void ShadowLane::blame(std::uint32_t oldest, Cycle from, Cycle to) {
-  const auto until = [&](Cycle end, LaneCause why) {
-    end = std::min(end, to);
-    if (end <= from) return;
-    cause(why) += end - from;
-    from = end;
-  };
-  const Cycle done = slots.done(oldest);
+/// No slot is free in the cycles up to `to`: what keeps the oldest fragment?
+void ShadowLane::blame_oldest(std::uint32_t oldest, Cycle to) {
+  const auto until = [&](Cycle end, LaneCause why) { blame(std::min(end, to), why); };
   if (early_[oldest] != kNever) {
     until(early_[oldest], LaneCause::kTexel);
     until(early_[oldest] + 1, LaneCause::kDecision);
@@ -104,7 +92,7 @@ void ShadowLane::blame(std::uint32_t oldest, Cycle from, Cycle to) {
       until(slb.decision.decided(read.responded) + 1, LaneCause::kDecision);
     }
   } else {
-    until(done, LaneCause::kTexel);
+    until(slots.done(oldest), LaneCause::kTexel);
   }
   until(to, LaneCause::kVerdict);
 }
@@ -115,15 +103,32 @@ void ShadowLane::drain() {
 }
 
 void ShadowLane::end_pass(Cycle all_taken, Cycle cycles) {
-  const auto until = [&](Cycle end, LaneCause why) {
-    end = std::min(end, cycles);
-    if (end <= unblamed_) return;
-    cause(why) += end - unblamed_;
-    unblamed_ = end;
-  };
-  until(placed_, LaneCause::kTexelPort);
-  until(all_taken, LaneCause::kInput);
-  until(cycles, LaneCause::kDrain);
+  blame(std::min(placed_, cycles), LaneCause::kTexelPort);
+  blame(std::min(all_taken, cycles), LaneCause::kInput);
+  blame(cycles, LaneCause::kDrain);
+  for (QueueMeter* meter : {&slots.meter, &slb.lookup_meter, &slb.more_meter}) {
+    meter->end_pass(cycles);
+  }
+}
+
+void ShadowLane::clear() {
+  causes_.clear();
+  for (QueueMeter* meter : {&slots.meter, &slb.lookup_meter, &slb.more_meter}) meter->clear();
+}
+
+void ShadowLane::trace(Timeline* timeline, const std::string& lane) {
+  causes_.trace(timeline, lane);
+  texel_port().trace(timeline, lane + ".texel_port");
+  slb_port().trace(timeline, lane + ".slb_port");
+  slots.meter.trace(timeline, lane + ".slots");
+  slb.lookup_meter.trace(timeline, lane + ".lookup_fifo");
+  slb.more_meter.trace(timeline, lane + ".more_fifo");
+}
+
+void ShadowLane::add_queues(const std::string& lane, std::vector<QueueCycles>& queues) const {
+  queues.push_back(slots.meter.figures(lane + ".slots"));
+  queues.push_back(slb.lookup_meter.figures(lane + ".lookup_fifo"));
+  queues.push_back(slb.more_meter.figures(lane + ".more_fifo"));
 }
 
 }  // namespace kagesen::tlm_model::paper

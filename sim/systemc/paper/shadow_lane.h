@@ -8,13 +8,15 @@
 /// Fragments go through in their order, each once. A fragment enters only when the one that had its
 /// slot has left; by then everything is known of the SLB's reads up to that cycle, since whoever
 /// enters later reads later.
-#include <array>
 #include <cstdint>
+#include <string>
 #include <systemc>
+#include <vector>
 
 #include "model/cycle_causes.h"
 #include "model/fragment_cycles.h"
 #include "model/unit/fragment_trail.h"
+#include "sim/systemc/common/cause_meter.h"
 #include "sim/systemc/common/lane_slots.h"
 #include "sim/systemc/paper/silhouette_buffer.h"
 #include "sim/systemc/paper/texel_buffers.h"
@@ -23,8 +25,6 @@ namespace kagesen::tlm_model::paper {
 
 class ShadowLane : public sc_core::sc_module {
  public:
-  using Causes = std::array<std::uint64_t, kLaneCauseCount>;
-
   struct Pass {
     std::uint32_t slots;
     Stalls offers, verdicts;         ///< cycles in which no fragment is offered, no verdict taken
@@ -63,15 +63,23 @@ class ShadowLane : public sc_core::sc_module {
   Cycle last_retired() const { return slots.last_taken(); }
   std::uint64_t fragments() const { return fragments_; }
   /// Of all passes since clear().
-  const Causes& causes() const { return causes_; }
-  void clear() { causes_ = {}; }
+  const CauseMeter& causes() const { return causes_; }
+  void add_queues(const std::string& lane, std::vector<QueueCycles>& queues) const;
+  void clear();
+  /// @param lane  what its tracks' names begin with
+  void trace(Timeline* timeline, const std::string& lane);
 
  private:
   Cycle retire();
   [[noreturn]] void stuck(std::uint64_t oldest);
   void free_slot();
-  void blame(std::uint32_t oldest, Cycle from, Cycle to);
-  std::uint64_t& cause(LaneCause which) { return causes_[static_cast<std::size_t>(which)]; }
+  void blame_oldest(std::uint32_t oldest, Cycle to);
+  /// Cycles whose cause is not known yet have this one, as far as they lie before `end`.
+  void blame(Cycle end, LaneCause why) {
+    if (end <= unblamed_) return;
+    causes_.add(why, unblamed_, end);
+    unblamed_ = end;
+  }
 
   Pass pass_;
   std::vector<Cycle> early_;  // of each slot, its early decision; kNever without
@@ -79,7 +87,7 @@ class ShadowLane : public sc_core::sc_module {
   Cycle accepted_ = 0;   // the last fragment
   Cycle placed_ = 0;     // until when it keeps the next one out
   Cycle unblamed_ = 0;   // first cycle whose cause is not known yet
-  Causes causes_{};
+  CauseMeter causes_{kLaneCauses};
 };
 
 }  // namespace kagesen::tlm_model::paper

@@ -10,6 +10,7 @@
 
 #include "model/unit/fragment_trail.h"
 #include "sim/systemc/common/memory_port.h"
+#include "sim/systemc/common/queue_meter.h"
 #include "sim/systemc/common/time_queue.h"
 #include "sim/systemc/paper/shadow_decision.h"
 
@@ -30,6 +31,7 @@ class SilhouetteBuffer : public sc_core::sc_module {
 
   MemoryPort port;
   ShadowDecision decision;
+  QueueMeter lookup_meter, more_meter;
 
   explicit SilhouetteBuffer(const sc_core::sc_module_name& name)
       : sc_module(name), port("port"), decision("shadow_decision") {}
@@ -39,6 +41,8 @@ class SilhouetteBuffer : public sc_core::sc_module {
     walks_.resize(slots);
     lookups_.reset(slots);
     more_.reset(slots);
+    lookup_meter.begin_pass();
+    more_meter.begin_pass();
     free_ = 0;
   }
   Walk& walk(std::uint32_t slot) { return walks_[slot]; }
@@ -53,12 +57,14 @@ class SilhouetteBuffer : public sc_core::sc_module {
     const Cycle first = lookups_.empty() ? kNever : lookups_.front().at + kQueue;
     Cycle asked = more < first ? more : first;
     if (asked < free_) asked = free_;
-    TimeQueue& queue = more <= asked ? more_ : lookups_;
-    const std::uint32_t slot = queue.front().slot;
+    const bool goes_on = more <= asked;
+    TimeQueue& queue = goes_on ? more_ : lookups_;
+    const auto [queued, slot] = queue.front();
     queue.pop();
     Walk& walk = walks_[slot];
     const MemoryPort::Read read = port.read(asked, walk.trail.records[walk.reads.size()]);
     free_ = read.accepted + 1;
+    (goes_on ? more_meter : lookup_meter).word(queued, read.accepted);
     walk.reads.push_back(read);
     const Cycle decided = decision.decided(read.responded);
     const bool last = walk.reads.size() == walk.trail.records.size();

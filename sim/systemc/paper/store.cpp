@@ -9,9 +9,6 @@
 namespace kagesen::tlm_model::paper {
 namespace {
 
-enum Cause : unsigned {
-  kEdge, kSpan, kOther, kInput, kSetup, kWalk, kTexel, kRecord, kChain, kWrite
-};
 constexpr std::size_t kComing = 2, kEmptiedAhead = 32;
 
 }  // namespace
@@ -34,7 +31,8 @@ void Store::reset(const UnitConfig& config) {
   spans_.reset(static_cast<unsigned>(config.texel_lines),
                static_cast<RecordAddress>(config.slb_buckets) - 1);
   edges_.assign(static_cast<std::size_t>(config.map_height) << pitch_log2_, 0);
-  causes_ = {};
+  causes_.clear();
+  for (QueueMeter& m : meters_) m.clear();
   walk_.wipe(config);
 }
 
@@ -44,7 +42,8 @@ void Store::begin_pass(unsigned texel_bytes, const Stalls& texel_writes, unsigne
   records.begin_pass(record_bytes, record_writes);
   now_ = 0;
   unchanged_ = false;
-  waits_.clear();
+  causes_.begin_pass();
+  for (QueueMeter& m : meters_) m.begin_pass();
 }
 
 Cycle Store::wipe() {
@@ -156,28 +155,6 @@ void Store::pass_over(Cycle until) {
   }
 }
 
-void Store::count(unsigned cause, Cycle cycles) {
-  if (cycles == 0) return;
-  if (cause != kInput) {
-    causes_[cause] += cycles;
-  } else if (!waits_.empty() && waits_.back().to == now_) {
-    waits_.back().to += cycles;
-  } else {
-    waits_.push_back({now_, now_ + cycles});
-  }
-}
-
-void Store::tell(FrontCauses& front, Cycle until) {
-  std::size_t told = 0;
-  for (; told < waits_.size() && waits_[told].to <= until; ++told) {
-    const FrontCauses::Cycles cycles = front.of(waits_[told].from, waits_[told].to);
-    causes_[kInput] += cycles.none;
-    causes_[kSetup] += cycles.setup;
-    causes_[kWalk] += cycles.walk;
-  }
-  waits_.erase(waits_.begin(), waits_.begin() + static_cast<std::ptrdiff_t>(told));
-}
-
 /// One cycle. @param offered  null: no visit is  @return is it taken?
 bool Store::step(const Operation* offered, bool begins) {
   LineCache::Inputs texel = texels.inputs(now_), record = records.inputs(now_);
@@ -188,7 +165,7 @@ bool Store::step(const Operation* offered, bool begins) {
   bool fire = false, last = false, look = false, look_new = false, emptied = false, acts = false;
   Operation of_emptied;
   RecordLinks::Inputs link;
-  cause_ = kInput;
+  cause_ = StoreCause::kInput;
   if (busy) {
     const SlbStep& s = walk_.plan(records.cache.hit(), texel_hit);
     const Operation& o = walk_.operation();
@@ -220,17 +197,17 @@ bool Store::step(const Operation* offered, bool begins) {
       of_emptied = o;
       of_emptied.kind = Operation::kEmptied;
     }
-    cause_ = last ? (o.kind == Operation::kEdge   ? kEdge
-                     : o.kind == Operation::kSpan ? kSpan
-                                                  : kOther)
-             : first && !acts ? (texel_hit ? kRecord : kTexel)
-             : acts && !fire  ? kWrite
-                              : kChain;
+    cause_ = last ? (o.kind == Operation::kEdge   ? StoreCause::kEdge
+                     : o.kind == Operation::kSpan ? StoreCause::kSpan
+                                                  : StoreCause::kOther)
+             : first && !acts ? (texel_hit ? StoreCause::kRecord : StoreCause::kTexel)
+             : acts && !fire  ? StoreCause::kWrite
+                              : StoreCause::kChain;
   }
 
   // ---- The next operation ----
   const bool edges_done = visits_.valid() && visits_.front().kind == Operation::kEdgesDone;
-  if (!busy && edges_done) cause_ = kOther;
+  if (!busy && edges_done) cause_ = StoreCause::kOther;
   const bool ready = !busy || last;
   const bool no_emptied = emptied_.empty() && soon_.empty() && !emptied;
   const bool start = ready && (edges_done ? soon_.valid() : visits_.valid());

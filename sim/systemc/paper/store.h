@@ -10,7 +10,8 @@
 
 #include "sim/systemc/common/cached_memory.h"
 #include "sim/systemc/common/fifo.h"
-#include "sim/systemc/common/front_causes.h"
+#include "sim/systemc/common/queue_meter.h"
+#include "sim/systemc/common/store_causes.h"
 #include "sim/systemc/paper/record_links.h"
 #include "sim/systemc/paper/record_walk.h"
 #include "sim/systemc/paper/span_hints.h"
@@ -20,9 +21,6 @@ namespace kagesen::tlm_model::paper {
 
 class Store : public sc_core::sc_module, public VisitTaker {
  public:
-  static constexpr std::size_t kCauses = 10;
-  using Causes = std::array<std::uint64_t, kCauses>;
-
   CachedMemory texels, records;
 
   explicit Store(const sc_core::sc_module_name& name);
@@ -40,22 +38,28 @@ class Store : public sc_core::sc_module, public VisitTaker {
   /// All visits were taken; the front is idle from a cycle on. Returns the pass's cycles.
   Cycle finish(Cycle front_idle);
   /// Tells cycles without a visit, before one whose cause is known, from the front's causes.
-  void tell(FrontCauses& front, Cycle until);
-  const Causes& causes() const { return causes_; }
+  void tell(FrontCauses& front, Cycle until) { causes_.tell(front, until); }
+  /// @param timeline  takes what the store does; or null
+  void trace(Timeline* timeline);
+  const CauseMeter& causes() const { return causes_.meter(); }
+  /// Fills in causes and queues.
+  void report(PassCycles& pass) const;
   /// See RecordWalk.
   void locate(unit::FragmentTrail& trail) const { walk_.locate(trail); }
 
  private:
-  struct Run {
-    Cycle from, to;
-  };
+  /// By their instances in the Verilog.
+  static constexpr const char* kQueues[] = {"store.coming", "store.emptied_list",
+                                            "store.emptied_soon", "store.places",
+                                            "store.records.records.follow"};
+  static constexpr std::size_t kQueueCount = sizeof kQueues / sizeof *kQueues;
 
   bool active() const;  // visits are inside
   bool idle() const;
   Operation operation_of(const Visit& visit);
   bool step(const Operation* offered, bool begins);
   void pass_over(Cycle until);
-  void count(unsigned cause, Cycle cycles);
+  void count(StoreCause cause, Cycle cycles);
 
   UnitConfig config_;
   unsigned pitch_log2_ = 0;
@@ -70,9 +74,9 @@ class Store : public sc_core::sc_module, public VisitTaker {
 
   Cycle now_ = 0;           // the next cycle
   bool unchanged_ = false;  // the last one changed nothing
-  unsigned cause_ = 0;      // of the last one
-  Causes causes_{};
-  std::vector<Run> waits_;  // cycles without a visit that are not told yet
+  StoreCause cause_ = StoreCause::kInput;  // of the last one
+  StoreCauses causes_;
+  std::array<QueueMeter, kQueueCount> meters_;
 };
 
 }  // namespace kagesen::tlm_model::paper

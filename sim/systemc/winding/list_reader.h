@@ -13,6 +13,7 @@
 #include "model/unit/winding/fragment_trail.h"
 #include "sim/systemc/common/lane_slots.h"
 #include "sim/systemc/common/memory_port.h"
+#include "sim/systemc/common/queue_meter.h"
 #include "sim/systemc/common/time_queue.h"
 #include "sim/systemc/winding/shadow_decision.h"
 
@@ -33,6 +34,7 @@ class ListReader : public sc_core::sc_module {
 
   MemoryPort port;
   ShadowDecision decision;
+  QueueMeter list_meter, next_meter, response_meter;
 
   ListReader(const sc_core::sc_module_name& name, LaneSlots& slots)
       : sc_module(name), port("port"), decision("shadow_decision"), slots_(slots) {}
@@ -42,6 +44,7 @@ class ListReader : public sc_core::sc_module {
     decision.begin_pass();
     walks_.resize(slots);
     for (TimeQueue* queue : {&lists_, &next_, &responses_}) queue->reset(slots);
+    for (QueueMeter* meter : {&list_meter, &next_meter, &response_meter}) meter->begin_pass();
     free_ = 0;
   }
   Walk& walk(std::uint32_t slot) { return walks_[slot]; }
@@ -72,13 +75,15 @@ class ListReader : public sc_core::sc_module {
   Cycle request() const { return std::max(free_, std::min(head(lists_), head(next_))); }
 
   void take_request() {
-    TimeQueue& queue = head(next_) <= request() ? next_ : lists_;
-    const std::uint32_t slot = queue.front().slot;
+    const bool goes_on = head(next_) <= request();
+    TimeQueue& queue = goes_on ? next_ : lists_;
+    const auto [queued, slot] = queue.front();
     Walk& walk = walks_[slot];
     const std::uint32_t address = walk.trail.records[walk.records.size()].address;
     const MemoryPort::Read read = port.read(request(), address);
     queue.pop();
     free_ = read.accepted + 1;
+    (goes_on ? next_meter : list_meter).word(queued, read.accepted);
     walk.records.push_back({read, kNever});
     responses_.push(read.responded, slot);
   }
@@ -89,6 +94,7 @@ class ListReader : public sc_core::sc_module {
     const std::size_t number = walk.records.size();
     Record& record = walk.records.back();
     record.answered = decision.answer(record.read.responded, walk.trail.records[number - 1].boxed);
+    response_meter.word(record.read.responded, decision.taken_up());
     if (number == walk.trail.records.size()) {
       slots_.decide(slot, record.answered);
     } else {

@@ -20,11 +20,15 @@ class ShadowDecision : public sc_core::sc_module {
   void begin_pass() { free_ = 0; }
   /// The cycle of a record's answer.
   Cycle answer(Cycle responded, std::uint32_t boxed) {
-    free_ = std::max(responded + 2, free_) + std::max(boxed, 1u);
+    taken_up_ = std::max(responded + 2, free_);
+    free_ = taken_up_ + std::max(boxed, 1u);
     return free_ + 3;
   }
+  /// When the last one was taken up.
+  Cycle taken_up() const { return taken_up_; }
 
  private:
+  Cycle taken_up_ = 0;
   Cycle free_ = 0;  // for the next record
 };
 

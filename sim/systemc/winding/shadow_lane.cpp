@@ -33,7 +33,7 @@ void ShadowLane::take() {
   early.forget(unblamed_);
   if (pass_.cycles) pass_.cycles[fragments_ * pass_.stride].accepted = accepted_;
   ++fragments_;
-  slots.open(slot);
+  slots.open(slot, accepted_);
   entered_ = accepted_ + 1;
   const Trail& trail = lists.walk(slot).trail;
   if (trail.reads_tile) {
@@ -142,6 +142,30 @@ void ShadowLane::drain() {
 void ShadowLane::end_pass(Cycle all_taken, Cycle cycles) {
   blame(std::min(all_taken, cycles), LaneCause::kInput);
   blame(cycles, LaneCause::kDrain);
+  for (const Metered& m : meters()) m.meter.end_pass(cycles);
+}
+
+/// The queues, by their instances in the Verilog.
+std::vector<ShadowLane::Metered> ShadowLane::meters() {
+  return {{"early_stage.texel_words.queue", early.texel_words.meter}, {"early_stage.tiles.queue", early.tiles.meter},
+          {"lists.list_queue", lists.list_meter},          {"lists.next_queue", lists.next_meter},
+          {"lists.response_queue", lists.response_meter},  {"slots", slots.meter}};
+}
+
+void ShadowLane::clear() {
+  causes_.clear();
+  for (const Metered& m : meters()) m.meter.clear();
+}
+
+void ShadowLane::trace(Timeline* timeline, const std::string& lane) {
+  causes_.trace(timeline, lane);
+  texel_port().trace(timeline, lane + ".texel_port");
+  slb_port().trace(timeline, lane + ".slb_port");
+  for (const Metered& m : meters()) m.meter.trace(timeline, lane + "." + m.queue);
+}
+
+void ShadowLane::add_queues(const std::string& lane, std::vector<QueueCycles>& queues) {
+  for (const Metered& m : meters()) queues.push_back(m.meter.figures(lane + "." + m.queue));
 }
 
 }  // namespace kagesen::tlm_model::winding

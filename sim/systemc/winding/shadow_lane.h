@@ -9,14 +9,15 @@
 /// slot has left; by then everything is known of the reads up to that cycle, since whoever enters
 /// later reads later.
 #include <algorithm>
-#include <array>
 #include <cstdint>
+#include <string>
 #include <systemc>
 #include <vector>
 
 #include "model/cycle_causes.h"
 #include "model/engine.h"
 #include "model/unit/winding/fragment_trail.h"
+#include "sim/systemc/common/cause_meter.h"
 #include "sim/systemc/common/lane_slots.h"
 #include "sim/systemc/winding/early_decision.h"
 #include "sim/systemc/winding/list_reader.h"
@@ -25,7 +26,6 @@ namespace kagesen::tlm_model::winding {
 
 class ShadowLane : public sc_core::sc_module {
  public:
-  using Causes = std::array<std::uint64_t, kLaneCauseCount>;
   using Trail = unit::winding::FragmentTrail;
 
   struct Pass {
@@ -66,10 +66,18 @@ class ShadowLane : public sc_core::sc_module {
   Cycle last_retired() const { return slots.last_taken(); }
   std::uint64_t fragments() const { return fragments_; }
   /// Of all passes since clear().
-  const Causes& causes() const { return causes_; }
-  void clear() { causes_ = {}; }
+  const CauseMeter& causes() const { return causes_; }
+  void add_queues(const std::string& lane, std::vector<QueueCycles>& queues);
+  void clear();
+  /// @param lane  what its tracks' names begin with
+  void trace(Timeline* timeline, const std::string& lane);
 
  private:
+  struct Metered {
+    const char* queue;
+    QueueMeter& meter;
+  };
+  std::vector<Metered> meters();
   bool decide_oldest(Cycle until);
   [[noreturn]] void stuck() const;
   void retire();
@@ -80,7 +88,7 @@ class ShadowLane : public sc_core::sc_module {
   /// Cycles whose cause is not known yet have this one, as far as they lie before `end`.
   void blame(Cycle end, LaneCause why) {
     if (end <= unblamed_) return;
-    causes_[static_cast<std::size_t>(why)] += end - unblamed_;
+    causes_.add(why, unblamed_, end);
     unblamed_ = end;
   }
 
@@ -91,7 +99,7 @@ class ShadowLane : public sc_core::sc_module {
   Cycle entered_ = 0;   // and when it made way for the next one
   Cycle fetched_ = 0;   // the last verdict, from its slot
   Cycle unblamed_ = 0;  // first cycle whose cause is not known yet
-  Causes causes_{};
+  CauseMeter causes_{kLaneCauses};
 };
 
 }  // namespace kagesen::tlm_model::winding

@@ -12,11 +12,14 @@
 #include <systemc>
 
 #include "sim/systemc/common/clock.h"
+#include "sim/systemc/common/queue_meter.h"
 
 namespace kagesen::tlm_model::winding {
 
 class SharedReads : public sc_core::sc_module {
  public:
+  QueueMeter meter;  ///< fragments from look-up to departure
+
   explicit SharedReads(const sc_core::sc_module_name& name) : sc_module(name) {}
 
   void begin_pass() {
@@ -25,6 +28,7 @@ class SharedReads : public sc_core::sc_module {
     gone_.fill(0);
     reads_ = 0;
     looked_up_ = left_ = taken_ = 0;
+    meter.begin_pass();
   }
 
   /// Is the fragment's word not the last one's, nor kept?
@@ -50,7 +54,9 @@ class SharedReads : public sc_core::sc_module {
   void read_taken(Cycle at) { taken_ = at; }
   /// A fragment leaves, in order, for the output, which is free from `output` on.
   Cycle leave(Cycle looked_up, Cycle output) {
-    return left_ = std::max({looked_up + 2, left_ + 1, output});
+    left_ = std::max({looked_up + 2, left_ + 1, output});
+    meter.word(looked_up, left_);
+    return left_;
   }
   /// The same of read number `number`, whose response came in cycle `responded`.
   Cycle leave(Cycle looked_up, Cycle output, std::uint64_t number, Cycle responded) {

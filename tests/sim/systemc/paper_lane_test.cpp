@@ -90,11 +90,11 @@ TEST_F(PaperLane, SlotIsTakenAgainInTheCycleInWhichItIsFree) {
   // The first verdict is fetched in 24: its slot is full then, and free in 25.
   EXPECT_EQ(cycles_[kSlots].accepted, 25u);
   lane_.end_pass(26, 52);
-  const ShadowLane::Causes& causes = lane_.causes();
-  EXPECT_EQ(causes[std::size_t(LaneCause::kFragment)], kSlots + 1);
-  EXPECT_EQ(causes[std::size_t(LaneCause::kTexel)], 23 - kSlots);  // 8 to 22
-  EXPECT_EQ(causes[std::size_t(LaneCause::kDecision)], 1u);        // 23
-  EXPECT_EQ(causes[std::size_t(LaneCause::kVerdict)], 1u);         // 24
+  const CauseMeter& causes = lane_.causes();
+  EXPECT_EQ(causes.of(LaneCause::kFragment), kSlots + 1);
+  EXPECT_EQ(causes.of(LaneCause::kTexel), 23 - kSlots);  // 8 to 22
+  EXPECT_EQ(causes.of(LaneCause::kDecision), 1u);        // 23
+  EXPECT_EQ(causes.of(LaneCause::kVerdict), 1u);         // 24
 }
 
 TEST_F(PaperLane, ReadsThatGoOnGoFirst) {

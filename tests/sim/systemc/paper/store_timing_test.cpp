@@ -23,7 +23,7 @@ constexpr PassNumber kWipe{1, 0}, kDraw{3, 0};
 struct StoreTimeline {
   std::vector<Cycle> taken;  ///< visits
   Cycle wipe = 0, draw = 0;  ///< cycles
-  Store::Causes causes{};
+  std::array<std::uint64_t, std::size(kStoreCauses)> causes{};
 };
 
 class Verilog : public rtl::StoreBench<Vstore_test_dut> {
@@ -191,7 +191,9 @@ class Model {
     FrontCauses none;
     none.none(0, kNever);
     store_.tell(none, kNever);
-    line.causes = store_.causes();
+    for (std::size_t c = 0; c < line.causes.size(); ++c) {
+      line.causes[c] = store_.causes().of(static_cast<StoreCause>(c));
+    }
     return line;
   }
 
