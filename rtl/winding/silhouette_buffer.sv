@@ -16,7 +16,7 @@ module silhouette_buffer (
   input  logic                                  paper_i,       // settings_t.paper_semantics
   input  logic [shadow_pkg::LimitBits-1:0]      record_limit_i,
   input  logic [shadow_pkg::LimitBits-1:0]      chain_limit_i,
-  // the texel and what happens to it; held from start_i to done_o
+  // the texel and what happens to it; held from start_i to done_o, or
   input  logic                                  start_i,
   output logic                                  ready_o,
   input  logic                                  settle_i,      // end of pass 1; the texel has a list
@@ -24,12 +24,15 @@ module silhouette_buffer (
   input  logic                                  corner_i,
   input  logic                                  has_segment_i,
   input  logic [shadow_pkg::SegmentBits-1:0]    segment_i,
-  input  logic [shadow_pkg::ThresholdBits-1:0]  threshold_i,   // threshold_t of the visit
-  input  logic                                  steep_i,       // of its plane
+  input  logic                                  steep_i,       // of the visit's plane
   input  logic [26:0]                           half_i,
+  input  logic [2*shadow_pkg::GradientCodeBits-1:0] gradient_i,
   input  logic [shadow_pkg::IdBits-1:0]         object_i,
-  input  logic [shadow_pkg::TexelBits-1:0]      texel_i,       // texel_t
-  input  logic                                  texel_steep_i, // of its plane, if it is one
+  input  logic [shadow_pkg::BaseBits-1:0]       base_i,        // with start_i alone
+  input  logic [4:0]                            mark_i,        // with start_i: number of the mark of the visit's plane
+  input  logic                                  unmarked_i,    // with start_i: the list has no cluster of that plane
+  input  logic [shadow_pkg::TexelBits-1:0]      texel_i,       // with start_i; texel_t
+  input  logic                                  texel_steep_i, // after it: of the texel's plane, if it is one
   input  logic [26:0]                           texel_half_i,
   output logic                                  done_o,
   output logic                                  changed_o,     // the texel is now texel_o
@@ -65,32 +68,34 @@ module silhouette_buffer (
   shadow_pkg::texel_t      texel_in;
   shadow_pkg::texel_list_t list_in;
   /* verilator lint_on UNUSEDSIGNAL */
-  logic [shadow_pkg::BaseBits-1:0] base;  // of the visit
+  logic [shadow_pkg::BaseBits-1:0]      base_q;
+  logic [shadow_pkg::ThresholdBits-1:0] threshold;  // of the visit
   logic [31:0] visit_nearest, visit_farthest;
   logic        nothing;
-  assign texel_in = texel_i;
-  assign list_in  = texel_in.word[shadow_pkg::ListBits-1:0];
-  assign base     = threshold_i[shadow_pkg::ThresholdBits-1-:shadow_pkg::BaseBits];
-  assign nothing  = !span_i && !corner_i && !has_segment_i;
+  assign texel_in  = texel_i;
+  assign list_in   = texel_in.word[shadow_pkg::ListBits-1:0];
+  assign threshold = {base_q, gradient_i};
+  assign nothing   = !span_i && !corner_i && !has_segment_i;
   plane_bounds visit_bounds (
-    .base_i(base), .steep_i, .half_i, .nearest_o(visit_nearest), .farthest_o(visit_farthest)
+    .base_i(base_q), .steep_i, .half_i, .nearest_o(visit_nearest), .farthest_o(visit_farthest)
   );
 
-  logic         load, open, insert, spill, keep, behead, next_valid, bare, settled, freed, note, unmarked;
+  logic         load, open, insert, spill, keep, behead, next_valid, bare, settled, freed, note;
   logic         covered, covered_next, changed;
   logic [1:0]   kind;
   logic [A-1:0] first, first_next, next;
   logic [31:0]  depth, note_depth;
   logic [shadow_pkg::IdBits-1:0]    object, note_object;
   logic [shadow_pkg::TexelBits-1:0] texel;
+  logic [shadow_pkg::ThresholdBits-1:0] plane;
   list_texel list_texel (
-    .clk_i, .load_i(load), .texel_i, .steep_i(texel_steep_i), .half_i(texel_half_i), .threshold_i, .object_i,
-    .unmarked_o(unmarked), .open_i(open && written), .insert_i(insert && written),
-    .insert_bare_i(!span_i && !has_segment_i), .spare_i(spare), .behead_i(behead), .next_valid_i(next_valid),
-    .next_i(next), .bare_i(bare), .settled_i(settled), .spill_i(spill), .overflow_i(freed),
+    .clk_i, .load_i(load), .texel_i, .mark_i, .steep_i(texel_steep_i), .half_i(texel_half_i),
+    .open_i(open && written), .insert_i(insert && written), .insert_bare_i(!span_i && !has_segment_i),
+    .spare_i(spare), .behead_i(behead), .next_valid_i(next_valid), .next_i(next), .bare_i(bare), .settled_i(settled), .spill_i(spill), .overflow_i(freed),
     .note_i(note), .note_depth_i(note_depth), .note_object_i(note_object),
     .kind_o(kind), .covered_o(covered), .covered_next_o(covered_next), .object_o(object), .depth_o(depth),
-    .first_o(first), .first_next_o(first_next), .changed_o(changed), .texel_o(texel)
+    .first_o(first), .first_next_o(first_next), .changed_o(changed), .plane_o(plane),
+    .texel_o(texel)
   );
 
   // ---- Records ----------------------------------------------------------------------------------
@@ -120,7 +125,7 @@ module silhouette_buffer (
   list_control list_control (
     .clk_i, .rst_ni, .clear_i, .paper_i, .start_i, .ready_o, .done_o, .settle_i, .span_i, .nothing_i(nothing),
     .start_kind_i(texel_in.kind), .start_covered_i(list_in.covered),
-    .start_absent_i(unmarked && records_o < chain_limit_i), .start_first_i(list_in.first),
+    .start_absent_i(unmarked_i && records_o < chain_limit_i), .start_first_i(list_in.first),
     .kind_i(kind), .behind_i(covered && $signed(visit_nearest) >= $signed(depth)),
     .own_i(!paper_i || object == object_i), .covered_next_i(covered_next), .first_i(first), .first_next_i(first_next),
     .load_o(load), .open_o(open), .insert_o(insert), .spill_o(spill), .keep_o(keep),
@@ -142,7 +147,7 @@ module silhouette_buffer (
   logic [shadow_pkg::RecordBits-1:0] walk_record, work_record;
   list_walk list_walk (
     .clk_i, .rst_ni, .paper_i, .chain_limit_i, .start_i(load), .open_i(open && written), .begin_i(begins),
-    .mode_i(mode), .walk_i(walks), .nothing_i(nothing), .threshold_i, .object_i, .nearest_i(visit_nearest),
+    .mode_i(mode), .walk_i(walks), .nothing_i(nothing), .threshold_i(threshold), .object_i, .nearest_i(visit_nearest),
     .covered_i(covered), .cover_object_i(object), .cover_depth_i(depth), .first_i(first),
     .hit_i, .looked_up_i(lookup_o), .at_i(at_q), .record_i, .lookup_o(walk_lookup), .lookup_addr_o(walk_addr),
     .update_o(walk_update), .update_ready_i, .update_record_o(walk_record),
@@ -155,7 +160,7 @@ module silhouette_buffer (
   );
   cluster_update cluster_update (
     .clk_i, .rst_ni, .clear_i, .work_i(works),
-    .span_i, .corner_i, .has_segment_i, .segment_i, .threshold_i, .object_i,
+    .span_i, .corner_i, .has_segment_i, .segment_i, .threshold_i(threshold), .object_i,
     .hit_i, .at_i(at_q), .record_i, .lookup_o(work_lookup), .lookup_addr_o(work_addr),
     .update_o(work_update), .update_ready_i, .update_addr_o(work_update_addr), .update_record_o(work_record),
     .full_memory_i(full_memory), .may_be_long_i(records_o > chain_limit_i), .spare_i(spare), .free_i(free),
@@ -165,12 +170,10 @@ module silhouette_buffer (
   );
 
   // ---- Together: one of them has the records in a cycle ---------------------------------------------
-  shadow_pkg::threshold_t plane;
-  shadow_pkg::record_t    cluster;  // a new one: of the texel's plane, or of the visit's in front
-  assign plane = texel_in.word[shadow_pkg::ThresholdBits-1:0];
+  shadow_pkg::record_t cluster;  // a new one: of the texel's plane, or of the visit's in front
   always_comb begin
     cluster           = '0;
-    cluster.threshold = open ? plane : threshold_i;
+    cluster.threshold = open ? plane : threshold;
     cluster.object    = open ? object : object_i;
     cluster.full      = open || span_i;
     cluster.corner    = shadow_pkg::CornerBits'(!open && corner_i && !span_i);
@@ -186,7 +189,7 @@ module silhouette_buffer (
     update_record_o = open || insert ? cluster : works ? work_record : walk_record;
 
     note        = (insert && written && span_i) || walk_note || covers || keep;
-    note_depth  = walks ? walk_depth : keep ? {base[shadow_pkg::BaseBits-1], base, {Step{1'b0}}} : visit_farthest;
+    note_depth  = walks ? walk_depth : keep ? {base_q[shadow_pkg::BaseBits-1], base_q, {Step{1'b0}}} : visit_farthest;
     note_object = walks ? walk_object : object_i;
 
     texel_o = texel;
@@ -201,5 +204,8 @@ module silhouette_buffer (
   assign line_stored_o    = (insert && written && has_segment_i && !span_i) || counted || work_stored;
   assign overflow_lines_o = keep ? 16'd1 : walk_lines;
   assign overflow_texel_o = spill;
-  always_ff @(posedge clk_i) if (lookup_o) at_q <= lookup_addr_o;
+  always_ff @(posedge clk_i) begin
+    if (lookup_o) at_q <= lookup_addr_o;
+    if (load) base_q <= base_i;
+  end
 endmodule

@@ -207,7 +207,10 @@ module store (
   );
 
   logic                                 start, settles, span, steep, texel_steep, new_steep, done, changed, running;
-  logic [shadow_pkg::ThresholdBits-1:0] threshold;
+  logic                                 unmarked;
+  logic [4:0]                           mark;
+  logic [B-1:0]                         base;
+  logic [2*shadow_pkg::GradientCodeBits-1:0] gradient;
   logic [26:0]                          half, texel_half, new_half;
   logic [shadow_pkg::IdBits-1:0]        object;
   logic [shadow_pkg::TexelBits-1:0]     texel, new_texel;
@@ -219,8 +222,8 @@ module store (
     .in_valid_i(texel_valid), .in_fresh_i(texel_fresh), .in_i(texel_visit), .in_word_i(texel_data),
     .load_o(texel_load), .pop_o(texel_pop), .clean_o(texel_clean), .keep_o(texel_keep),
     .keep_ready_i(texel_keep_ready), .word_o(texel_word),
-    .start_o(start), .settle_o(settles), .span_o(span), .threshold_o(threshold), .steep_o(steep), .half_o(half),
-    .object_o(object), .texel_o(texel), .texel_steep_o(texel_steep), .texel_half_o(texel_half),
+    .start_o(start), .settle_o(settles), .span_o(span), .steep_o(steep), .half_o(half), .gradient_o(gradient),
+    .object_o(object), .base_o(base), .mark_o(mark), .unmarked_o(unmarked), .texel_o(texel), .texel_steep_o(texel_steep), .texel_half_o(texel_half),
     .done_i(done), .changed_i(changed), .texel_i(new_texel), .texel_steep_i(new_steep), .texel_half_i(new_half),
     .sum_valid_o(sum_valid), .sum_ready_i(sum_ready), .sum_covered_o(sum_covered), .sum_several_o(sum_several),
     .sum_object_o(sum_object), .sum_farthest_o(sum_farthest),
@@ -239,8 +242,8 @@ module store (
     .record_limit_i(settings_i.record_limit), .chain_limit_i(settings_i.chain_limit),
     .start_i(start), .ready_o(ready), .settle_i(settles), .span_i(span),
     .corner_i(texel_visit.corner), .has_segment_i(texel_visit.has_segment), .segment_i(texel_visit.segment),
-    .threshold_i(threshold), .steep_i(steep), .half_i(half), .object_i(object),
-    .texel_i(texel), .texel_steep_i(texel_steep), .texel_half_i(texel_half),
+    .steep_i(steep), .half_i(half), .gradient_i(gradient), .object_i(object), .base_i(base), .mark_i(mark),
+    .unmarked_i(unmarked), .texel_i(texel), .texel_steep_i(texel_steep), .texel_half_i(texel_half),
     .done_o(done), .changed_o(changed), .texel_o(new_texel), .texel_steep_o(new_steep), .texel_half_o(new_half),
     .lookup_o(lookup), .lookup_addr_o(lookup_addr), .hit_i(hit), .record_i(record),
     .update_o(update), .update_ready_i(update_ready), .update_addr_o(update_addr), .update_record_o(new_record),

@@ -31,12 +31,15 @@ module texel_buffers (
   output logic                                  start_o,
   output logic                                  settle_o,
   output logic                                  span_o,
-  output logic [shadow_pkg::ThresholdBits-1:0]  threshold_o,
   output logic                                  steep_o,
   output logic [26:0]                           half_o,
+  output logic [2*shadow_pkg::GradientCodeBits-1:0] gradient_o,
   output logic [shadow_pkg::IdBits-1:0]         object_o,
-  output logic [shadow_pkg::TexelBits-1:0]      texel_o,
-  output logic                                  texel_steep_o,
+  output logic [shadow_pkg::BaseBits-1:0]       base_o,        // with start_o
+  output logic [4:0]                            mark_o,        // with start_o
+  output logic                                  unmarked_o,    // with start_o
+  output logic [shadow_pkg::TexelBits-1:0]      texel_o,       // with start_o
+  output logic                                  texel_steep_o, // after it
   output logic [26:0]                           texel_half_o,
   input  logic                                  done_i,
   input  logic                                  changed_i,
@@ -61,7 +64,6 @@ module texel_buffers (
   localparam logic [1:0] VisitTile = 2'd2;
   localparam int unsigned B = shadow_pkg::BaseBits;
   localparam int unsigned T = shadow_pkg::TexelBits;
-  localparam int unsigned Step = shadow_pkg::PlaneStepBits;
   localparam int unsigned CodeBits = shadow_pkg::GradientCodeBits;
   localparam int unsigned TriBits = shadow_pkg::IdBits + 2 * CodeBits;
 
@@ -76,16 +78,23 @@ module texel_buffers (
   shadow_pkg::visit_tri_t tri_q;
   logic                   begins, tri_steep, tri_steep_q;
   logic [26:0]            tri_half, tri_half_q;
+  logic [4:0]             tri_mark, tri_mark_q;  // of the planes' marks, what the texel's base does not add
   assign body   = {in_i.base3, in_i.base2, in_i.base1, in_i.base0};
   assign begins = in_i.kind == shadow_pkg::VisitBegin;
   plane_steepness tri_steepness (
     .gradient_x_i(body[CodeBits+:CodeBits]), .gradient_y_i(body[CodeBits-1:0]),
     .steep_o(tri_steep), .half_o(tri_half)
   );
+  always_comb begin
+    tri_mark = '0;
+    for (int i = 0; i < 2 * CodeBits; i++) tri_mark[i%5] = tri_mark[i%5] ^ body[i];
+    for (int i = 0; i < shadow_pkg::IdBits; i++) tri_mark[i%5] = tri_mark[i%5] ^ body[2*CodeBits+i];
+  end
 
   // ---- Four texels ----------------------------------------------------------------------------------
   logic       span, settles, nothing, at_work, evaluate, tile_ends_q, quick;
-  logic [3:0] active, hidden, slow, put, held, data_held, data_bare;
+  logic [3:0] active, hidden, slow, put, held, unmarked, data_held, data_bare;
+  logic [4*5-1:0] marks;
   assign span     = in_i.kind == shadow_pkg::VisitSpan;
   assign settles  = in_i.kind == VisitTile;
   assign nothing  = in_i.kind == shadow_pkg::VisitEdge && !in_i.corner && !in_i.has_segment;
@@ -94,35 +103,14 @@ module texel_buffers (
   assign evaluate = at_work && !begins && !running_q && !sums_q;
 
   for (genvar i = 0; i < 4; i++) begin : g_texel
-    logic [1:0]                    kind;  // texel_t and its threshold_t, field by field
-    logic [shadow_pkg::IdBits-1:0] owner;
-    logic [shadow_pkg::WordBits-1:0] word;
-    logic [B-1:0]            base, plane_base;
-    logic signed [B:0]       behind;  // the visit behind the plane, at the centre, in steps
-    logic [B:0]              margin;  // for one of them to be hidden by the other
-    logic                    owned, same, bounded, plane_kind;
-    assign {kind, owner, word} = word_q[i*T+:T];
-    assign plane_base = word[2*CodeBits+:B];
-    assign base       = span ? body[i*B+:B] : in_i.base0;
-    assign behind     = $signed({base[B-1], base}) - $signed({plane_base[B-1], plane_base});
-    assign margin     = (B + 1)'((29'(half_q[i*27+:27]) + 29'(tri_half_q) + 29'(1 << Step)) >> Step);
-    assign plane_kind = kind == shadow_pkg::TexelPlane;
-    assign owned      = !paper_i || owner == tri_q.object;
-    assign same       = behind == '0 && word[2*CodeBits-1:0] == {tri_q.gradient_x, tri_q.gradient_y} && owner == tri_q.object;
-    assign bounded    = !steep_q[i] && !tri_steep_q && owned;
-    assign hidden[i]  = plane_kind && bounded && behind >= $signed(margin);
-    assign put[i]     = span && (kind == shadow_pkg::TexelEmpty
-                        || (plane_kind && !same && bounded && -behind >= $signed(margin)));
-    always_comb begin
-      case (kind)
-        shadow_pkg::TexelEmpty:    slow[i] = !span && !nothing;
-        shadow_pkg::TexelPlane:    slow[i] = !hidden[i] && !same && !put[i] && !nothing;
-        shadow_pkg::TexelOverflow: slow[i] = !nothing;
-        shadow_pkg::TexelList:     slow[i] = !nothing || word[shadow_pkg::ListBits-1];
-      endcase
-      if (settles) slow[i] = kind == shadow_pkg::TexelList && word[shadow_pkg::ListBits-2];
-    end
-    assign held[i] = plane_kind || (kind != shadow_pkg::TexelEmpty && word[shadow_pkg::ListBits-1]);
+    logic [B-1:0] base;
+    assign base = span ? body[i*B+:B] : in_i.base0;
+    texel_test test (
+      .paper_i, .span_i(span), .settle_i(settles), .nothing_i(nothing), .base_i(base), .tri_i(tri_q),
+      .tri_steep_i(tri_steep_q), .tri_half_i(tri_half_q), .tri_mark_i(tri_mark_q), .texel_i(word_q[i*T+:T]),
+      .steep_i(steep_q[i]), .half_i(half_q[i*27+:27]), .hidden_o(hidden[i]), .put_o(put[i]), .slow_o(slow[i]),
+      .held_o(held[i]), .mark_o(marks[5*i+:5]), .unmarked_o(unmarked[i])
+    );
     logic [1:0] data_kind;
     assign data_kind = in_word_i[i*T+T-1-:2];
     assign data_held[i] = data_kind == shadow_pkg::TexelPlane
@@ -169,43 +157,31 @@ module texel_buffers (
   // ---- The texel for the silhouette buffer ------------------------------------------------------
   logic [3:0] wanted;
   assign wanted = active & slow;
-  always_comb begin
-    if (running_q) lane = lane_q;
-    else lane = wanted[0] ? 2'd0 : wanted[1] ? 2'd1 : wanted[2] ? 2'd2 : 2'd3;
-  end
+  assign lane          = wanted[0] ? 2'd0 : wanted[1] ? 2'd1 : wanted[2] ? 2'd2 : 2'd3;
   assign start_o       = evaluate && wanted != '0;
   assign settle_o      = settles;
   assign span_o        = span;
-  assign threshold_o   = {span ? body[32'(lane)*B+:B] : in_i.base0, tri_q.gradient_x, tri_q.gradient_y};
   assign steep_o       = tri_steep_q;
   assign half_o        = tri_half_q;
+  assign gradient_o    = {tri_q.gradient_x, tri_q.gradient_y};
   assign object_o      = tri_q.object;
+  assign base_o        = span ? body[32'(lane)*B+:B] : in_i.base0;
+  assign mark_o        = marks[32'(lane)*5+:5];
+  assign unmarked_o    = unmarked[lane];
   assign texel_o       = word_q[32'(lane)*T+:T];
-  assign texel_steep_o = steep_q[lane];
-  assign texel_half_o  = half_q[32'(lane)*27+:27];
+  assign texel_steep_o = steep_q[lane_q];
+  assign texel_half_o  = half_q[32'(lane_q)*27+:27];
   assign running_o     = running_q;
 
   // ---- Sum of a tile: a texel a cycle, as long as all were covered -------------------------------------
-  shadow_pkg::texel_t      sum_texel;
-  /* verilator lint_off UNUSEDSIGNAL */  // its first cluster
-  shadow_pkg::texel_list_t sum_list;
-  /* verilator lint_on UNUSEDSIGNAL */
-  logic [31:0]             sum_depth, sum_farthest, unused_nearest;
-  logic [24:0]             sum_clamped, farthest_q;
-  logic                    all_q, some_q, several_q;
-  logic [shadow_pkg::IdBits-1:0] sum_object_q;
-  assign sum_texel = word_q[32'(sum_lane_q)*T+:T];
-  assign sum_list  = sum_texel.word[shadow_pkg::ListBits-1:0];
-  plane_bounds sum_bounds (
-    .base_i(sum_texel.word[2*CodeBits+:B]), .steep_i(steep_q[sum_lane_q]),
-    .half_i(half_q[32'(sum_lane_q)*27+:27]), .nearest_o(unused_nearest), .farthest_o(sum_farthest)
+  logic all;
+  tile_sum tile_sum (
+    .clk_i, .restart_i((tile_ends_q && sum_ready_i) || (at_work && begins)), .uncovered_i(settles && pop_o && !sums_q),
+    .add_i(sums_q), .texel_i(word_q[32'(sum_lane_q)*T+:T]), .steep_i(steep_q[sum_lane_q]),
+    .half_i(half_q[32'(sum_lane_q)*27+:27]), .covered_o(all), .several_o(sum_several_o), .object_o(sum_object_o),
+    .farthest_o(sum_farthest_o)
   );
-  assign sum_depth   = sum_texel.kind == shadow_pkg::TexelPlane ? sum_farthest : sum_list.cover_depth;
-  assign sum_clamped = sum_depth[31] ? '1 : |sum_depth[30:24] ? 25'h0ffffff : {1'b0, sum_depth[23:0]};
-  assign sum_covered_o  = all_q;
-  assign sum_several_o  = several_q;
-  assign sum_object_o   = sum_object_q;
-  assign sum_farthest_o = farthest_q;
+  assign sum_covered_o = all;
 
   // ---- Control --------------------------------------------------------------------------------------
   always_comb begin
@@ -227,7 +203,7 @@ module texel_buffers (
       end else begin
         todo_d    = wanted & ~(4'd1 << lane);
         resumed_d = wanted != '0;
-        sums_d    = wanted == '0 && settles && all_q && held == '1;
+        sums_d    = wanted == '0 && settles && all && held == '1;
         pop_o     = wanted == '0 && !sums_d;
       end
     end else if (load_o) begin
@@ -235,7 +211,7 @@ module texel_buffers (
     end
   end
   // Nothing is to be done with the word.
-  assign quick = settles && data_bare == '0 && !(all_q && data_held == '1);
+  assign quick = settles && data_bare == '0 && !(all && data_held == '1);
   assign sum_valid_o = tile_ends_q;
 
   // ---- Back to the window and the memory ------------------------------------------------------------
@@ -291,19 +267,7 @@ module texel_buffers (
       tri_q       <= body[TriBits-1:0];
       tri_steep_q <= tri_steep;
       tri_half_q  <= tri_half;
-    end
-    if ((tile_ends_q && sum_ready_i) || (at_work && begins)) begin
-      all_q      <= 1'b1;
-      some_q     <= 1'b0;
-      several_q  <= 1'b0;
-      farthest_q <= '1;
-    end else if (sums_q) begin
-      some_q       <= 1'b1;
-      sum_object_q <= sum_texel.object;
-      several_q    <= several_q || (some_q && sum_texel.object != sum_object_q);
-      if ($signed(sum_clamped) > $signed(farthest_q)) farthest_q <= sum_clamped;
-    end else if (settles && pop_o) begin
-      all_q <= 1'b0;
+      tri_mark_q  <= tri_mark;
     end
   end
 endmodule
