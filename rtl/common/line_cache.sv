@@ -8,6 +8,7 @@
 //          its line; lookup_new_i says that the word will be updated without having been read. An
 //          update of another word takes its set's first line and empties the other. One that takes a
 //          line waits while a hint does.
+// Flags:   what an update changes of them shows two cycles later; in between its set counts as raced.
 // Hint:    fetches a word that is absent. It waits while its set is in use, or each of its lines holds
 //          a hinted word whose lookups did not all come yet (two are counted); such a one it takes only
 //          while there is no lookup at all. Changes time, never a value. A hint that repeats the last
@@ -89,20 +90,21 @@ module line_cache #(
 
   logic                lookup_valid_q, new_q, forward_q, forward_way_q, raced_q, met_q, hint_valid_q, hint_weak_q, hint_raced_q, hinting_q;
   logic                rd_valid_q, wr_valid_q, turn_q;  // which way the next choice among equals takes
+  logic                updated_now_q, taken_q, moved_q;  // an update of the cycle before; it took a line; moving
   logic [AddrBits-1:0] lookup_q, hint_q, rd_addr_q, wr_addr_q;
   logic [SetBits-1:0]  lookup_set, hint_set;  // of lookup_q, hint_q
-  logic [LineBits-1:0] rd_line_q;
+  logic [LineBits-1:0] rd_line_q, update_line_q;
   logic [Width-1:0]    wr_data_q;
 
   logic [AddrBits-1:0] read_addr, fill_addr;
-  logic [SetBits-1:0]  read_set, update_set, hint_read_set, key_set;
-  logic [LineBits-1:0] lookup_line, hint_line, update_line, fill_line, rsp_line, key_line;
+  logic [SetBits-1:0]  read_set, update_set, hint_read_set, fill_set;
+  logic [LineBits-1:0] lookup_line, hint_line, update_line, fill_line, rsp_line;
   logic [Ways*KeyBits-1:0] lookup_keys, hint_keys;
   logic [Ways*Width-1:0]   filled_words, updated_words;
   logic [Width-1:0]    word;
   logic [Ways-1:0]     match, settled;  // match: holds the word; settled: is not being read
   logic                reading, updating, keep_rsp, fill, fill_lookup, fill_hint, can_fill, wants_fill, hint_done, hint_free;
-  logic                key_write, moving, claiming, in_place, new_ready, present, hint_again, met_now, lookup_way, lookup_free, fill_way, hint_way, done_way, update_way;
+  logic                taking, moving, claiming, in_place, new_ready, present, hint_again, met_now, lookup_way, lookup_free, fill_way, hint_way, done_way, update_way;
   logic [KeyBits-1:0]  key_data;
 
   assign update_set = set_of(update_addr_i);
@@ -165,17 +167,18 @@ module line_cache #(
   end
 
   // ---- Fill: one request waits in a register --------------------------------------------------
-  // A hint's hangs on no update of this cycle, so that what hints wait for is known early: an update
-  // that takes a line waits for it, and the lookup's fill for the update.
+  // A hint's hangs on no update of this cycle, so that what hints wait for is known early; nor does the
+  // lookup's, with two ways. An update that takes a line waits for it.
   assign can_fill    = !rd_valid_q || (rd_valid_o && rd_ready_i);
   assign wants_fill  = lookup_valid_q && !new_q && !forward_q && !present && !raced_q && lookup_free;
-  assign fill_lookup = can_fill && wants_fill && !moving && !claiming;
+  assign fill_lookup = can_fill && wants_fill && (Ways == 2 || !taking);
   assign fill_hint   = can_fill && !wants_fill && hint_valid_q && hint_free && !hint_done && !hint_raced_q;
-  assign hint_ready_o = !hint_valid_q || hint_done || fill_hint || (hint_weak_q && !hint_free);
+  assign hint_ready_o = !hint_valid_q || hint_done || fill_hint || (hint_weak_q && !hint_free && !hint_raced_q);
   assign fill        = fill_lookup || fill_hint;
   assign fill_addr   = fill_lookup ? lookup_q : hint_q;
   assign fill_way    = fill_lookup ? lookup_way : hint_way;
-  assign fill_line   = line_of(set_of(fill_addr), fill_way);
+  assign fill_set    = fill_lookup ? lookup_set : hint_set;
+  assign fill_line   = line_of(fill_set, fill_way);
 
   assign hint_again  = hint_valid_q && hint_done && !hint_weak_q;
   assign hint_line   = line_of(hint_set, done_way);
@@ -192,18 +195,16 @@ module line_cache #(
   assign in_place       = (hit_o || new_ready) && update_addr_i == lookup_q;
   assign update_ready_o = (!wr_valid_q || wr_ready_i)
                           && ((hit_o && in_place)
-                              || (!fill_hint && (in_place || (!busy_q[line_of(update_set, 1'b0)]
-                                                              && !busy_q[line_of(update_set, 1'b1)]))));
+                              || (!fill_hint && !(Ways == 2 && fill_lookup) && (in_place || (!busy_q[line_of(update_set, 1'b0)]
+                                  && !busy_q[line_of(update_set, 1'b1)]))));
   assign updating       = update_i && update_ready_o;
   assign moving         = updating && !in_place;
   assign claiming       = updating && in_place && new_ready;
   assign update_way     = !moving && lookup_way;
   assign update_line    = line_of(update_set, update_way);
 
-  assign key_write  = moving || claiming || fill;
-  assign key_line   = updating && !fill ? update_line : fill_line;
-  assign key_set    = set_of_line(key_line);
-  assign key_data   = updating && !fill ? update_addr_i[AddrBits-1:SetBits] : fill_addr[AddrBits-1:SetBits];
+  assign taking     = moving || claiming;
+  assign key_data   = fill ? fill_addr[AddrBits-1:SetBits] : update_addr_i[AddrBits-1:SetBits];
 
   for (genvar w = 0; w < Ways; w++) begin : gen_way
     ram_1r1w #(.Width(Width), .Depth(Sets)) fill_ram (
@@ -217,13 +218,13 @@ module line_cache #(
       .read_i(reading), .read_addr_i(read_set), .read_data_o(updated_words[w*Width +: Width])
     );
     ram_1r1w #(.Width(KeyBits), .Depth(Sets)) lookup_key_ram (
-      .clk_i, .write_i(key_write && key_line == line_of(key_set, 1'(w))),
-      .write_addr_i(key_set), .write_data_i(key_data),
+      .clk_i, .write_i(fill ? Ways == 1 || fill_way == 1'(w) : taking && (Ways == 1 || update_way == 1'(w))),
+      .write_addr_i(fill ? fill_set : update_set), .write_data_i(key_data),
       .read_i(reading), .read_addr_i(read_set), .read_data_o(lookup_keys[w*KeyBits +: KeyBits])
     );
     ram_1r1w #(.Width(KeyBits), .Depth(Sets)) hint_key_ram (
-      .clk_i, .write_i(key_write && key_line == line_of(key_set, 1'(w))),
-      .write_addr_i(key_set), .write_data_i(key_data),
+      .clk_i, .write_i(fill ? Ways == 1 || fill_way == 1'(w) : taking && (Ways == 1 || update_way == 1'(w))),
+      .write_addr_i(fill ? fill_set : update_set), .write_data_i(key_data),
       .read_i(1'b1), .read_addr_i(hint_read_set), .read_data_o(hint_keys[w*KeyBits +: KeyBits])
     );
   end
@@ -232,8 +233,8 @@ module line_cache #(
     valid_d = valid_q;
     busy_d  = busy_q;
     if (rsp_valid_i) busy_d[rsp_line] = 1'b0;
-    if (moving && Ways == 2) valid_d[line_of(update_set, 1'b1)] = 1'b0;
-    if (updating) valid_d[update_line] = 1'b1;
+    if (moved_q && Ways == 2) valid_d[line_of(set_of_line(update_line_q), 1'b1)] = 1'b0;
+    if (updated_now_q) valid_d[update_line_q] = 1'b1;
     if (fill) begin
       valid_d[fill_line] = 1'b1;
       busy_d[fill_line]  = 1'b1;
@@ -257,7 +258,9 @@ module line_cache #(
       wr_valid_q     <= 1'b0;
       turn_q         <= 1'b0;
       met_q          <= 1'b0;
+      updated_now_q  <= 1'b0;
     end else begin
+      updated_now_q <= updating && !clear_i;
       turn_q  <= !clear_i && (turn_q ^ fill);
       // As hints do, lookups of one word that follow each other count once.
       if (clear_i) met_q <= 1'b0;
@@ -290,7 +293,10 @@ module line_cache #(
     if (lookup_i) new_q <= lookup_new_i;
     if (hint_valid_i && hint_ready_o) hint_q <= hint_addr_i;
     if (hint_valid_i && hint_ready_o) hint_weak_q <= hint_weak_i;
-    hint_raced_q <= key_write && key_set == hint_read_set;
+    hint_raced_q <= (taking && update_set == hint_read_set) || (fill && fill_set == hint_read_set);
+    taken_q       <= taking;
+    moved_q       <= moving && !clear_i;
+    update_line_q <= update_line;
     if (fill) begin
       rd_addr_q <= fill_addr;
       rd_line_q <= fill_line;
@@ -303,7 +309,7 @@ module line_cache #(
       forward_q     <= updating && update_addr_i == read_addr;
       forward_way_q <= update_way;
       raced_q       <= (updating && update_set == read_set) || (keep_rsp && set_of_line(rsp_line) == read_set)
-                    || (key_write && key_set == read_set);
+                    || (fill && fill_set == read_set);
     end
     if (hint_again && !(met_now && hint_line == lookup_line)) begin
       again_q[hint_line]  <= hinted_q[hint_line];
@@ -313,11 +319,11 @@ module line_cache #(
       hinted_q[lookup_line] <= again_q[lookup_line];
       again_q[lookup_line]  <= 1'b0;
     end
-    if (updating) begin
-      updated_q[update_line] <= 1'b1;
-      if (moving || claiming) begin
-        hinted_q[update_line] <= 1'b0;
-        again_q[update_line]  <= 1'b0;
+    if (updated_now_q) begin
+      updated_q[update_line_q] <= 1'b1;
+      if (taken_q) begin
+        hinted_q[update_line_q] <= 1'b0;
+        again_q[update_line_q]  <= 1'b0;
       end
     end
     if (fill) begin

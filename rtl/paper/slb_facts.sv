@@ -31,8 +31,8 @@ module slb_facts (
   localparam int unsigned CountBits = shadow_pkg::LineCountBits;
 
   shadow_pkg::slb_facts_t facts;
-  logic [DepthBits-1:0]   centre, hidden_behind;
-  logic                   match;
+  logic [DepthBits-1:0]   centre;
+  logic                   match, erasable;
   assign facts_o = facts;
 
   silhouette_detector detector (
@@ -41,7 +41,7 @@ module slb_facts (
   );
   hide_depth hiding (
     .farthest_i(settings_i.hidden_removal == 2'd2), .centre_i(centre), .most_i(tri_i.most),
-    .rise_i(tri_i.rise), .depth_o(hidden_behind)
+    .rise_i(tri_i.rise), .nearest_i(record_i.nearest), .hides_o(erasable)
   );
   always_comb begin
     unique case (walk_i.word_x)
@@ -68,7 +68,7 @@ module slb_facts (
     facts.new_corner   = visit_i.corner && !record_i.corner;
     facts.new_vertex   = (visit_i.line.start_here || visit_i.line.end_here) && !record_i.vertex;
     facts.room         = record_i.count != CountBits'(shadow_pkg::LinesPerRecord);
-    facts.erasable     = hidden_behind < record_i.nearest;
+    facts.erasable     = erasable;
     facts.full         = used_i == settings_i.record_limit;
     facts.few          = used_i < settings_i.chain_limit;
     facts.short_chain  = facts.few || (!walk_i.continued && LimitBits'(walk_i.length) < settings_i.chain_limit);

@@ -57,7 +57,8 @@ module slb_pool (
     end else begin
       kept_q     <= keep_i || reuse_i || (kept_q && !take_i);
       has_free_q <= free_i || (reuse_i ? next_valid_i : has_free_q);
-      used_q     <= used_q + LimitBits'(more_i) - LimitBits'(less_i);
+      if (more_i && !less_i) used_q <= used_q + 1'b1;  // both are known late
+      if (less_i && !more_i) used_q <= used_q - 1'b1;
       `CHECK(within_capacity, !more_i || less_i || used_q < settings_i.record_limit)
       `CHECK(one_at_hand, !(keep_i || reuse_i) || !kept_q)
       `CHECK(takes_what_is_there, !take_i || !dry_o)

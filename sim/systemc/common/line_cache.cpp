@@ -79,7 +79,7 @@ bool LineCache::update_ready(Address address, bool write_ready, bool read_ready)
   if (r_.write && !write_ready) return false;
   const bool here = in_place(address);
   if (here && hit_) return true;
-  if (fills_hint(read_ready)) return false;
+  if (can_fill(read_ready) && (wants_fill() || wants_hint())) return false;
   const Line* const set = &lines_[2 * set_of(address)];
   return here || (!set[0].busy && !set[1].busy);
 }
@@ -88,16 +88,14 @@ bool LineCache::wants_fill() const {
   return r_.lookup && !r_.is_new && !r_.forward && !present_ && !r_.raced && lookup_free_;
 }
 
-/// Hangs on no update; one that takes a line waits for it.
-bool LineCache::fills_hint(bool read_ready) const {
-  return (!r_.read || (reads() && read_ready)) && !wants_fill() && r_.hint && hint_free_ &&
-         !hint_done_ && !r_.hint_raced;
+bool LineCache::wants_hint() const {
+  return r_.hint && hint_free_ && !hint_done_ && !r_.hint_raced;
 }
 
+/// Hangs on no update: one that takes a line waits for it.
 LineCache::Fill LineCache::fill(const Inputs& in) const {
-  const bool takes_line = in.update && (!in_place(in.update_address) || !hit_);
-  const bool can = !r_.read || (reads() && in.read_ready);
-  return {can && wants_fill() && !takes_line, fills_hint(in.read_ready)};
+  const bool can = can_fill(in.read_ready), lookup = can && wants_fill();
+  return {lookup, can && !lookup && wants_hint()};
 }
 
 bool LineCache::hint_ready(const Inputs& in) const {
@@ -106,7 +104,7 @@ bool LineCache::hint_ready(const Inputs& in) const {
 
 /// A weak hint is dropped where it would have to wait.
 bool LineCache::takes_hint(const Fill& fill) const {
-  return !r_.hint || hint_done_ || fill.hint || (r_.hint_weak && !hint_free_);
+  return !r_.hint || hint_done_ || fill.hint || (r_.hint_weak && !hint_free_ && !r_.hint_raced);
 }
 
 void LineCache::step(const Inputs& in) {

@@ -41,8 +41,7 @@ class LineCache : public sc_core::sc_module {
   /// Words that were looked up since forget_lookups().
   std::uint64_t lookups() const { return lookups_; }
   void forget_lookups() { lookups_ = 0; }
-  /// @param read_ready  counts only where there are hints
-  bool update_ready(Address address, bool write_ready, bool read_ready = false) const;
+  bool update_ready(Address address, bool write_ready, bool read_ready) const;
   /// Would a hint be taken? Of `in` only the update and the memory's readiness count.
   bool hint_ready(const Inputs& in) const;
 
@@ -70,7 +69,8 @@ class LineCache : public sc_core::sc_module {
   unsigned set_of(Address address) const;
   bool in_place(Address address) const;
   bool wants_fill() const;
-  bool fills_hint(bool read_ready) const;
+  bool wants_hint() const;
+  bool can_fill(bool read_ready) const { return !r_.read || (reads() && read_ready); }
   Fill fill(const Inputs& in) const;
   bool takes_hint(const Fill& fill) const;
   void settle();
