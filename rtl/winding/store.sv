@@ -68,36 +68,22 @@ module store (
   localparam int unsigned TexelLineBits = $clog2(shadow_pkg::TexelLines);
   localparam int unsigned VisitBits = 2 + 2 * M + 2 + shadow_pkg::SegmentBits + 4 * B + 4;
   localparam int unsigned TagBits = shadow_pkg::TagBits;
-  localparam int unsigned DataBits = shadow_pkg::TexelDataBits;
 
   logic drop, wiping;  // forget what is kept on chip
 
   // ---- Tiles of the map, one after the other: wipe, settle ----------------------------------------
-  logic [M-3:0] column_q, row_q;
-  logic         scan_step, last_column, scanned, scanned_q, started_q;
-  assign last_column = column_q == (M-2)'((M + 2)'(settings_i.map_width) + (M + 2)'(7) >> 3) - 1'b1;
-  assign scanned     = last_column && row_q == (M-2)'((M + 2)'(settings_i.map_height) + (M + 2)'(7) >> 3) - 1'b1;
-  assign wiping      = wipe_i && started_q && !scanned_q;
-  assign drop        = clear_i || (wipe_i && !started_q);
-  always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) begin
-      started_q <= 1'b0;
-      scanned_q <= 1'b0;
-    end else begin
-      started_q <= (wipe_i || settle_i) && !clear_i;
-      scanned_q <= (wipe_i || settle_i) && !clear_i && (scanned_q || (scan_step && scanned));
-      `CHECK(one_command, !(wipe_i && settle_i))
-      `CHECK(no_work_while_wiping, !(wipe_i && (visit_valid_i || frag_valid_i)))
-    end
-  end
+  logic [M-4:0] column, row;
+  logic         scan_started, scan_valid, scan_step, scanned;
+  tile_scan tile_scan (
+    .clk_i, .rst_ni, .clear_i, .map_width_i(settings_i.map_width), .map_height_i(settings_i.map_height),
+    .run_i(wipe_i || settle_i), .started_o(scan_started), .tile_valid_o(scan_valid), .step_i(scan_step),
+    .column_o(column), .row_o(row), .done_o(scanned)
+  );
+  assign wiping = wipe_i && scan_valid;
+  assign drop   = clear_i || (wipe_i && !scan_started);
   always_ff @(posedge clk_i) begin
-    if (!started_q) begin
-      column_q <= '0;
-      row_q    <= '0;
-    end else if (scan_step) begin
-      column_q <= last_column ? '0 : column_q + 1'b1;
-      if (last_column) row_q <= row_q + 1'b1;
-    end
+    `CHECK(one_command, !(wipe_i && settle_i))
+    `CHECK(no_work_while_wiping, !(wipe_i && (visit_valid_i || frag_valid_i)))
   end
 
   // ---- Work: visits, fragments or tiles ------------------------------------------------------------
@@ -115,9 +101,9 @@ module store (
     work_valid = visit_valid_i;
     if (settle_i) begin
       work.kind  = VisitTile;
-      work.x     = {column_q[M-4:0], 3'd0};
-      work.y     = {row_q[M-4:0], 3'd0};
-      work_valid = started_q && !scanned_q;
+      work.x     = {column, 3'd0};
+      work.y     = {row, 3'd0};
+      work_valid = scan_valid;
     end else if (frag_valid_i) begin
       work.kind  = VisitTile;
       work.x     = frag_x;
@@ -137,7 +123,7 @@ module store (
   logic                            tile_keep_ready, tile_window_empty, tile_waits, tile_idle;
   logic                            tile_rd_valid, tile_rd_ready, tile_wr_valid, tile_wr_ready, touch_valid, touch_ready;
   logic [VisitBits-1:0]            tile_work;
-  logic [shadow_pkg::TileBits-1:0] tile_data, tile_word, tile_written, empty_tile;
+  logic [shadow_pkg::TileBits-1:0] tile_data, tile_word, tile_written;
   logic [TileAddrBits-1:0]         tile_held, tile_rd_addr, tile_wr_addr;
   logic [TileLineBits-1:0]         tile_rd_tag;
   logic [WordAddrBits-1:0]         touch_addr;
@@ -270,47 +256,28 @@ module store (
   );
 
   // ---- Texel memory -----------------------------------------------------------------------------
-  port_merge #(.Width(TagBits + shadow_pkg::TexelAddrBits)) reads (
+  logic wipe_ready;
+  texel_port #(.TileAddrBits(TileAddrBits), .TileTagBits(TileLineBits), .WordTagBits(TexelLineBits)) texel_port (
     .clk_i, .rst_ni, .clear_i(drop),
-    .valid0_i(word_rd_valid), .ready0_o(word_rd_ready), .data0_i({TagBits'(word_rd_tag), 1'b0, word_rd_addr}),
-    .valid1_i(tile_rd_valid), .ready1_o(tile_rd_ready),
-    .data1_i({1'b1, (TagBits - 1)'(tile_rd_tag), 1'b1, WordAddrBits'(tile_rd_addr)}),
-    .valid_o(texel_rd_valid_o), .ready_i(texel_rd_ready_i), .data_o({texel_rd_tag_o, texel_rd_addr_o})
-  );
-  // A tile wiped, or written; of a touched one a word without texels.
-  localparam int unsigned WriteBits = 4 + shadow_pkg::TexelAddrBits + DataBits;
-  logic                 wipe_ready, tile_valid_any, tile_ready_any, side_valid, side_ready;
-  logic [WriteBits-1:0] side;
-  // touched, slot, several, object_valid, object: all 0, in whatever order.
-  assign empty_tile = {3'd0, {(shadow_pkg::TileSlotBits + shadow_pkg::IdBits){1'b0}},
-                       25'h0ffffff, 25'h0ffffff, 24'd0, 64'd0};
-  assign tile_valid_any = wiping || tile_wr_valid;
-  assign wipe_ready     = tile_ready_any;
-  assign tile_wr_ready  = tile_ready_any && !wiping;
-  port_merge #(.Width(WriteBits)) tile_writes (
-    .clk_i, .rst_ni, .clear_i(drop),
-    .valid0_i(tile_valid_any), .ready0_o(tile_ready_any),
-    .data0_i({4'hf, 1'b1, wiping ? WordAddrBits'({row_q[M-4:0], column_q[M-4:0]}) : WordAddrBits'(tile_wr_addr),
-              wiping ? DataBits'(empty_tile) : DataBits'(tile_written)}),
-    .valid1_i(touch_valid), .ready1_o(touch_ready),
-    .data1_i({4'hf, 1'b0, touch_addr, {DataBits{1'b0}}}),  // TexelEmpty
-    .valid_o(side_valid), .ready_i(side_ready), .data_o(side)
-  );
-  port_merge #(.Width(WriteBits)) writes (
-    .clk_i, .rst_ni, .clear_i(drop),
-    .valid0_i(side_valid), .ready0_o(side_ready), .data0_i(side),
-    .valid1_i(word_wr_valid), .ready1_o(word_wr_ready),
-    .data1_i({word_wr_mask, 1'b0, texel_held, DataBits'(texel_word)}),
-    .valid_o(texel_wr_valid_o), .ready_i(texel_wr_ready_i),
-    .data_o({texel_wr_mask_o, texel_wr_addr_o, texel_wr_data_o})
+    .word_rd_valid_i(word_rd_valid), .word_rd_ready_o(word_rd_ready), .word_rd_addr_i(word_rd_addr),
+    .word_rd_tag_i(word_rd_tag), .tile_rd_valid_i(tile_rd_valid), .tile_rd_ready_o(tile_rd_ready),
+    .tile_rd_addr_i(tile_rd_addr), .tile_rd_tag_i(tile_rd_tag),
+    .wipe_valid_i(wiping), .wipe_ready_o(wipe_ready), .wipe_addr_i({row, column}),
+    .tile_wr_valid_i(tile_wr_valid), .tile_wr_ready_o(tile_wr_ready), .tile_wr_addr_i(tile_wr_addr),
+    .tile_wr_data_i(tile_written), .touch_valid_i(touch_valid), .touch_ready_o(touch_ready), .touch_addr_i(touch_addr),
+    .word_wr_valid_i(word_wr_valid), .word_wr_ready_o(word_wr_ready), .word_wr_addr_i(texel_held),
+    .word_wr_data_i(texel_word), .word_wr_mask_i(word_wr_mask),
+    .rd_valid_o(texel_rd_valid_o), .rd_ready_i(texel_rd_ready_i), .rd_addr_o(texel_rd_addr_o),
+    .rd_tag_o(texel_rd_tag_o), .wr_valid_o(texel_wr_valid_o), .wr_ready_i(texel_wr_ready_i),
+    .wr_addr_o(texel_wr_addr_o), .wr_data_o(texel_wr_data_o), .wr_mask_o(texel_wr_mask_o)
   );
 
   // ---- How far it is ----------------------------------------------------------------------------
   logic inside_idle;
   assign inside_idle = tile_window_empty && tile_idle && texel_window_empty && texel_idle && ready && records_idle;
   assign idle_o      = inside_idle && !(settle_i && !settled_o) && !wiping;
-  assign wiped_o     = wipe_i && scanned_q && inside_idle;
-  assign settled_o   = settle_i && scanned_q && inside_idle;
+  assign wiped_o     = wipe_i && scanned && inside_idle;
+  assign settled_o   = settle_i && scanned && inside_idle;
 
   always_comb begin
     cause_o = shadow_pkg::StoreOther;
@@ -326,5 +293,4 @@ module store (
     else if (tile_waits) cause_o = shadow_pkg::StoreTexel;
     else if (!visit_valid_i && !frag_valid_i && inside_idle) cause_o = shadow_pkg::StoreInput;
   end
-
 endmodule
