@@ -3,6 +3,7 @@
 /// Twin: the ports of rtl/winding/silhouette_buffer.sv and cluster_update.sv.
 ///
 /// Golden has said what is found (TexelVisit); records' links say how long that takes.
+#include "model/unit/config.h"
 #include "model/unit/winding/store_trail.h"
 #include "sim/systemc/winding/record_cache.h"
 #include "sim/systemc/winding/record_pool.h"

@@ -1,59 +1,31 @@
 #include "sim/systemc/winding/silhouette_buffer.h"
 
-#include "model/unit/winding/plane.h"
-
 namespace kagesen::tlm_model::winding {
 
 using unit::winding::TexelVisit;
 
 SilhouetteBuffer::SilhouetteBuffer(const sc_core::sc_module_name& name)
-    : sc_module(name), records("records"), pool("record_pool"), cluster_("cluster_update", pool) {}
+    : sc_module(name),
+      records("records"),
+      pool("record_pool"),
+      walk("list_walk", pool, texel),
+      cluster("cluster_update", pool) {}
 
 void SilhouetteBuffer::reset(const UnitConfig& config) {
   paper_ = config.semantics == Semantics::kPaper;
   chain_limit_ = static_cast<std::uint32_t>(config.chain_records);
-  const unit::winding::Widths widths(config, kMaxFractionBits);
-  base_bits_ = static_cast<unsigned>(widths.base_bits());
-  code_bits_ = static_cast<unsigned>(widths.gradient_code_bits());
   records.reset(static_cast<unsigned>(config.record_lines));
   pool.clear(static_cast<std::uint32_t>(config.cluster_records));
-  cluster_.reset(static_cast<std::uint32_t>(config.segments_per_record), chain_limit_);
-  dropped_.clear();
-  emptied_.clear();
+  texel.reset(config);
+  walk.reset();
+  cluster.reset(static_cast<std::uint32_t>(config.segments_per_record), chain_limit_);
   state_ = next_state_ = kIdle;
   starts_ = seen_ = false;
 }
 
-void SilhouetteBuffer::add_dropped(const std::vector<std::uint32_t>& numbers) {
-  dropped_.insert(dropped_.end(), numbers.begin(), numbers.end());
-}
-void SilhouetteBuffer::add_emptied(
-    const std::vector<unit::winding::SettleTrail::Emptied>& clusters) {
-  emptied_.insert(emptied_.end(), clusters.begin(), clusters.end());
-}
-void SilhouetteBuffer::skip(const ListVisit& visit) {
-  dropped_.erase(dropped_.begin(), dropped_.begin() + visit.texel.dropped);
-  emptied_.erase(emptied_.begin(), emptied_.begin() + visit.emptied);
-}
-
-/// The bits of a plane and its object, in groups of five.
-std::uint32_t SilhouetteBuffer::mark_of(const ListVisit& visit) const {
-  const auto low = [](std::uint64_t value, unsigned bits) {
-    return value & ((std::uint64_t{1} << bits) - 1);
-  };
-  const unit::winding::Threshold& t = visit.texel.threshold;
-  unsigned __int128 plane = low(static_cast<std::uint32_t>(t.base), base_bits_);
-  plane = plane << code_bits_ | low(t.gradient_x, code_bits_);
-  plane = plane << code_bits_ | low(t.gradient_y, code_bits_);
-  unsigned number = 0;
-  for (; plane != 0; plane >>= 5) number ^= static_cast<unsigned>(plane) & 31;
-  for (std::uint32_t object = visit.object; object != 0; object >>= 5) number ^= object & 31;
-  return 1u << number;
-}
-
-void SilhouetteBuffer::start(const ListVisit& visit, const TexelState& texel) {
+void SilhouetteBuffer::start(const ListVisit& visit, const TexelState& before) {
   visit_ = visit;
-  texel_ = texel;
+  texel.load(before, visit);
   starts_ = true;
 }
 
@@ -67,22 +39,14 @@ bool SilhouetteBuffer::step(Cycle now) {
   }
   ListStep step(records, now);
   next_state_ = state_;
-  moved_ = false;
+  moved_ = starts_;
   const State was = state_;
-  const bool bounded = was == kWalk && mode_ >= kCovers && mode_ <= kSettle;
-  const bool there = step.hit() && (!bounded || seen_);
-  cause_ = was == kWalk && at_ == texel_.first && !step.hit() ? Cause::kRecord : Cause::kChain;
+  cause_ = was == kWalk && walk.at_first(at_) && !step.hit() ? Cause::kRecord : Cause::kChain;
   switch (was) {
     case kIdle: begin(step); break;
-    case kTake:
-      next_state_ = insert_ ? kInsert : kCheck;
-      if (!pool.spare_ready() && pool.free_valid()) {
-        step.look_up(pool.free());
-        next_state_ = kTaken;
-      }
-      break;
+    case kTake: take(step); break;
     case kTaken:
-      if (!there) break;
+      if (!step.hit()) break;
       pool.take();
       next_state_ = insert_ ? kInsert : kCheck;
       break;
@@ -90,21 +54,20 @@ bool SilhouetteBuffer::step(Cycle now) {
     case kOpen: open(step); break;
     case kInsert: insert(step); break;
     case kWalk:
-      if (there) walk(step);
+      if (!step.hit() || (walk.bounded() && !seen_)) break;
+      go_on(walk.step(visit_, at_, step), step);
+      moved_ = walk.changed();
       break;
-    case kWork: work(step); break;
-    case kErase:
-      if (there) erase(step);
-      break;
-    case kLink:
-      if (there) link(step);
+    case kWork:
+      go_on(cluster.step(visit_, at_, step), step);
+      moved_ = cluster.changed();
       break;
     case kLast:
-      if (there) take_last(step);
+      if (step.hit()) take_last(step);
       break;
     case kSpill: spill(step); break;
     case kKeep:
-      note(visit_.texel.covers_nearest);
+      texel.note(visit_.texel.covers_nearest);
       next_state_ = kDone;
       break;
     case kDone: next_state_ = kIdle; break;
@@ -112,7 +75,7 @@ bool SilhouetteBuffer::step(Cycle now) {
   if (step.update && !step.written) cause_ = Cause::kWrite;
   requests_ = {step.lookup, was == kIdle, step.written, step.address, step.update_address};
   const bool seen = step.hit() && !step.lookup;
-  moved_ = moved_ || starts_ || step.lookup || step.written || next_state_ != was || seen != seen_;
+  moved_ = moved_ || step.lookup || step.written || next_state_ != was || seen != seen_;
   seen_ = seen;
   if (step.lookup) at_ = step.address;
   starts_ = false;
@@ -125,55 +88,54 @@ bool SilhouetteBuffer::clock(Cycle now) {
   return records.step(now, requests_) || moved;
 }
 
+/// What a texel calls for that is no list.
+SilhouetteBuffer::State SilhouetteBuffer::first_state(TexelState::Kind kind) {
+  return kind == TexelState::kEmpty ? kInsert : kind == TexelState::kPlane ? kOpen : kKeep;
+}
+
 void SilhouetteBuffer::begin(ListStep& step) {
-  mark_ = mark_of(visit_);
-  texel_.bare = texel_.bare && texel_.kind == TexelState::kList;
-  changed_ = insert_ = continued_ = false;
-  count_ = 0;
-  mode_ = kFind;
-  next_state_ = kCheck;
+  insert_ = false;
+  walk.start(0);
   if (!pool.spare_ready()) {
     next_state_ = kTake;
-  } else if (texel_.kind == TexelState::kList) {
-    // A list without the mark has no cluster of the plane; nor can it be too long.
-    const bool absent =
-        !texel_.covered && (texel_.marks & mark_) == 0 && pool.used() < chain_limit_;
-    if (visit_.settles || !absent) step.look_up(texel_.first);
-    if (!visit_.settles && !texel_.covered && !visit_.nothing()) {
-      next_state_ = absent ? kInsert : kWalk;
-    }
+  } else if (texel.kind != TexelState::kList) {
+    next_state_ = first_state(texel.kind);
   } else {
-    next_state_ = texel_.kind == TexelState::kEmpty   ? kInsert
-                  : texel_.kind == TexelState::kPlane ? kOpen
-                                                      : kKeep;
+    // A list without the mark has no cluster of the plane; nor can it be too long.
+    const bool absent = texel.unmarked() && pool.used() < chain_limit_;
+    if (visit_.settles || !absent) step.look_up(texel.first);
+    next_state_ = visit_.settles || texel.covered || visit_.nothing() ? kCheck
+                  : absent                                            ? kInsert
+                                                                      : kWalk;
+    if (next_state_ == kWalk) walk.begin(ListWalk::kFind, visit_);
   }
 }
 
-/// What the texel calls for.
+/// A spare record, before all else.
+void SilhouetteBuffer::take(ListStep& step) {
+  next_state_ = insert_ ? kInsert : kCheck;
+  if (!pool.spare_ready() && pool.free_valid()) {
+    step.look_up(pool.free());
+    next_state_ = kTaken;
+  }
+}
+
 void SilhouetteBuffer::check(ListStep& step) {
-  continued_ = false;
-  if (texel_.kind != TexelState::kList) {
-    next_state_ = texel_.kind == TexelState::kEmpty   ? kInsert
-                  : texel_.kind == TexelState::kPlane ? kOpen
-                                                      : kKeep;
-    return;
-  }
-  const TexelVisit::Behind behind = visit_.texel.behind;
-  mode_ = kFind;
-  if (visit_.settles) {
-    mode_ = kSettle;
-    prev_valid_ = false;
-  } else if (texel_.covered && behind != TexelVisit::Behind::kNot) {
-    mode_ = kCovers;
-    if (behind == TexelVisit::Behind::kOfItsObject) {
-      next_state_ = kDone;
-      return;
-    }
-  } else if (visit_.nothing()) {
+  const bool behind = texel.covered && visit_.texel.behind != TexelVisit::Behind::kNot;
+  if (texel.kind != TexelState::kList) {
+    next_state_ = first_state(texel.kind);
+  } else if (visit_.settles) {
+    begin_walk(step, ListWalk::kSettle);
+  } else if (behind ? visit_.texel.behind == TexelVisit::Behind::kOfItsObject : visit_.nothing()) {
     next_state_ = kDone;
-    return;
+  } else {
+    begin_walk(step, behind ? ListWalk::kCovers : ListWalk::kFind);
   }
-  step.look_up(texel_.first);
+}
+
+void SilhouetteBuffer::begin_walk(ListStep& step, ListWalk::Mode mode) {
+  walk.begin(mode, visit_);
+  step.look_up(texel.first);
   next_state_ = kWalk;
 }
 
@@ -182,196 +144,84 @@ void SilhouetteBuffer::open(ListStep& step) {
   if (pool.full()) {
     next_state_ = kSpill;
   } else if (step.write(pool.spare())) {
-    texel_ = {TexelState::kList, true, texel_.bare, texel_.marks, pool.give({true, false, false, 0, 0})};
-    changed_ = insert_ = true;
-    count_ = 1;
+    texel.open(pool.give({true, false, false, 0, 0}));
+    walk.start(1);
+    insert_ = true;
     next_state_ = kTake;
   }
 }
 
 /// A cluster of the visit's plane, in front.
 void SilhouetteBuffer::insert(ListStep& step) {
-  if (count_ >= chain_limit_ || pool.full()) {
+  if (walk.count() >= chain_limit_ || pool.full()) {
     next_state_ = kSpill;
     return;
   }
   if (!step.write(pool.spare())) return;
-  const bool empty = texel_.kind == TexelState::kEmpty;
   const bool segment = visit_.texel.segment && !visit_.span;
-  texel_.first = pool.give({visit_.span, false, texel_.kind == TexelState::kList, segment, texel_.first});
-  if (empty) {
-    texel_.covered = false;
-    texel_.marks = mark_;
-  } else if (!texel_.covered) {
-    texel_.marks |= mark_;
-  }
-  if (!visit_.span && !segment) texel_.bare = true;
-  texel_.kind = TexelState::kList;
-  changed_ = true;
+  const bool follows = texel.kind == TexelState::kList;
+  texel.insert(pool.give({visit_.span, false, follows, segment, texel.first}),
+               !visit_.span && !segment);
   next_state_ = kDone;
   if (visit_.span) {
-    note(visit_.texel.covers_nearest);
+    texel.note(visit_.texel.covers_nearest);
     drop_hidden(step);
   }
 }
 
-/// A walk begins again at the first record.
-void SilhouetteBuffer::restart(ListStep& step, Mode mode) {
-  mode_ = mode;
-  continued_ = false;
-  step.look_up(texel_.first);
-  next_state_ = kWalk;
-}
-
-/// Clusters that are hidden go.
-void SilhouetteBuffer::drop_hidden(ListStep& step) {
-  prev_valid_ = false;
-  dropped_left_ = visit_.texel.dropped;
-  restart(step, paper_ ? kCoversDrop : kDrop);
-}
-
-void SilhouetteBuffer::walk(ListStep& step) {
-  const Record record = pool[at_];
-  if (!visit_record(step)) return;
-  if (record.has_next) {
-    continued_ = record.goes_on;
-    step.look_up(record.next);
-  } else {
-    end_walk(step);
+/// After a walk.
+void SilhouetteBuffer::go_on(ListWalk::End end, ListStep& step) {
+  if (end == ListWalk::End::kNone) return;
+  if (end == ListWalk::End::kFound) {
+    next_state_ = kWork;
+    return;
   }
-}
-
-/// Is the walk done with this record?
-bool SilhouetteBuffer::visit_record(ListStep& step) {
-  Record& record = pool[at_];
-  switch (mode_) {
-    case kFind:
-      ++count_;
-      if (continued_ || visit_.texel.found == TexelVisit::kNone ||
-          pool.address_of(visit_.texel.found) != at_) {
-        return true;
-      }
-      next_state_ = kWork;
-      return false;
-    case kDrop:
-      chain_ = at_;
-      if (!continued_ && dropped_left_ != 0 && pool.address_of(dropped_.front()) == at_) {
-        --dropped_left_;
-        dropped_.pop_front();
-        next_state_ = kErase;
-        return false;
-      }
-      prev_ = at_;
-      prev_valid_ = true;
-      return true;
-    case kSettle:
-      chain_ = at_;
-      if (!continued_ && !record.full && record.count == 0) {
-        if (!emptied_.front().covers) {
-          emptied_.pop_front();
-          next_state_ = kErase;
-          return false;
-        }
-        if (!step.write(at_)) return false;
-        record.full = true;
-        note(emptied_.front().nearest);
-        emptied_.pop_front();
-      }
-      prev_ = at_;
-      prev_valid_ = true;
-      return true;
-    case kFree:
-      if (!record.has_next) {
-        if (!step.write(at_)) return false;
-        pool.lead_to_free(record);
-        record.goes_on = false;
-      }
-      pool.release();
-      note(!continued_ && !texel_.covered);
-      return true;
-    case kCount:
-      ++count_;
-      return true;
-    default:  // the covers' nearest end is golden's to say
-      return true;
+  if (end == ListWalk::End::kEmptied) {
+    texel.become(TexelState::kEmpty);
+    next_state_ = kDone;
+    return;
   }
-}
-
-void SilhouetteBuffer::end_walk(ListStep& step) {
-  continued_ = false;
-  switch (mode_) {
-    case kFind: next_state_ = kInsert; break;
-    case kCovers:
-      mode_ = kFind;
+  switch (walk.mode()) {
+    case ListWalk::kFind: next_state_ = kInsert; break;
+    case ListWalk::kCovers:
       if (visit_.texel.behind == TexelVisit::Behind::kHidden || visit_.nothing()) {
         next_state_ = kDone;
       } else {
-        step.look_up(texel_.first);
+        begin_walk(step, ListWalk::kFind);
       }
       break;
-    case kCoversDrop:
-      mode_ = kDrop;
-      prev_valid_ = false;
-      step.look_up(texel_.first);
-      break;
-    case kDrop:
-      step.look_up(texel_.first);
+    case ListWalk::kCoversDrop: begin_walk(step, ListWalk::kDrop); break;
+    case ListWalk::kDrop:
+      step.look_up(texel.first);
       next_state_ = kLast;
       break;
-    case kSettle:
+    case ListWalk::kSettle:
+      texel.bare = false;
       next_state_ = kDone;
-      texel_.bare = false;
-      if (texel_.covered) drop_hidden(step);
+      if (texel.covered) drop_hidden(step);
       break;
-    case kFree:
-      pool.put(texel_.first);
-      texel_.kind = TexelState::kOverflow;
+    case ListWalk::kFree:
+      pool.put(texel.first);
+      texel.become(TexelState::kOverflow);
       next_state_ = kKeep;
       break;
-    case kCount: next_state_ = count_ > chain_limit_ ? kSpill : kDone; break;
+    case ListWalk::kCount: next_state_ = walk.count() > chain_limit_ ? kSpill : kDone; break;
   }
 }
 
-/// The cluster goes, its records from chain_ on. Those of an earlier one are linked to what follows.
-void SilhouetteBuffer::erase(ListStep& step) {
-  Record& record = pool[at_];
-  if (record.goes_on) {
-    pool.release();
-    step.look_up(record.next);
-    return;
-  }
-  if (!step.write(at_)) return;
-  next_ = record.next;
-  next_valid_ = record.has_next;
-  pool.lead_to_free(record);
-  pool.release();
-  pool.put(chain_);
-  continued_ = false;
-  if (prev_valid_) {
-    step.look_up(prev_);
-    next_state_ = kLink;
-    return;
-  }
-  next_state_ = kWalk;
-  texel_.first = next_;
-  changed_ = true;
-  if (next_valid_) {
-    step.look_up(next_);
-  } else {
-    texel_.kind = TexelState::kEmpty;
-    next_state_ = kDone;
-  }
-}
-
-void SilhouetteBuffer::link(ListStep& step) {
-  if (!step.write(at_)) return;
-  pool[at_].next = next_;
-  pool[at_].has_next = next_valid_;
-  next_state_ = kWalk;
-  if (next_valid_) {
-    step.look_up(next_);
-  } else {
-    end_walk(step);
+/// After work on the visit's cluster.
+void SilhouetteBuffer::go_on(ClusterUpdate::End end, ListStep& step) {
+  if (cluster.bare()) texel.lay_bare();
+  switch (end) {
+    case ClusterUpdate::End::kNone: break;
+    case ClusterUpdate::End::kDone: next_state_ = kDone; break;
+    case ClusterUpdate::End::kEnds: next_state_ = kIdle; break;
+    case ClusterUpdate::End::kCovers:
+      texel.note(visit_.texel.covers_nearest);
+      drop_hidden(step);
+      break;
+    case ClusterUpdate::End::kGrown: begin_walk(step, ListWalk::kCount); break;
+    case ClusterUpdate::End::kSpills: next_state_ = kSpill; break;
   }
 }
 
@@ -385,44 +235,19 @@ void SilhouetteBuffer::take_last(ListStep& step) {
   pool.lead_to_free(record);
   pool.release();
   pool.put(at_);
-  texel_.kind = TexelState::kPlane;
-  changed_ = true;
+  texel.become(TexelState::kPlane);
   next_state_ = kIdle;
 }
 
 /// No room: the texel keeps the nearest depth.
 void SilhouetteBuffer::spill(ListStep& step) {
-  changed_ = true;
-  const TexelState::Kind kind = texel_.kind;
-  texel_.covered = kind == TexelState::kPlane;
-  if (kind == TexelState::kList) {
-    restart(step, kFree);
+  texel.changed = true;
+  texel.covered = texel.kind == TexelState::kPlane;
+  if (texel.kind == TexelState::kList) {
+    begin_walk(step, ListWalk::kFree);
   } else {
-    texel_.kind = TexelState::kOverflow;
+    texel.become(TexelState::kOverflow);
     next_state_ = kKeep;
-  }
-}
-
-void SilhouetteBuffer::work(ListStep& step) {
-  const ClusterUpdate::End end = cluster_.step(visit_, at_, step);
-  moved_ = cluster_.changed();
-  if (cluster_.bare()) {
-    changed_ = changed_ || !texel_.bare;
-    texel_.bare = true;
-  }
-  switch (end) {
-    case ClusterUpdate::End::kNone: break;
-    case ClusterUpdate::End::kDone: next_state_ = kDone; break;
-    case ClusterUpdate::End::kEnds: next_state_ = kIdle; break;
-    case ClusterUpdate::End::kCovers:
-      note(visit_.texel.covers_nearest);
-      drop_hidden(step);
-      break;
-    case ClusterUpdate::End::kGrown:
-      count_ = 0;
-      restart(step, kCount);
-      break;
-    case ClusterUpdate::End::kSpills: next_state_ = kSpill; break;
   }
 }
 

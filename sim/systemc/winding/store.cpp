@@ -57,7 +57,7 @@ Cycle Store::announce(const unit::winding::TriangleTrail::Texel& texel, Cycle of
 void Store::begin(const unit::winding::TriangleTrail& triangle) {
   triangle_ = &triangle;
   next_visit_ = 0;
-  texels.silhouettes.add_dropped(triangle.dropped);
+  texels.silhouettes.walk.add_dropped(triangle.dropped);
 }
 
 void Store::offer_visit(const Visit& visit) {

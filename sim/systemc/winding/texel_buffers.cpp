@@ -23,8 +23,8 @@ void TexelBuffers::clear() {
 
 void TexelBuffers::add_settled(const unit::winding::SettleTrail& trail) {
   settled_.insert(settled_.end(), trail.texels.begin(), trail.texels.end());
-  silhouettes.add_emptied(trail.emptied);
-  silhouettes.add_dropped(trail.dropped);
+  silhouettes.walk.add_emptied(trail.emptied);
+  silhouettes.walk.add_dropped(trail.dropped);
 }
 
 void TexelBuffers::touch(std::uint32_t slot) {
@@ -50,7 +50,7 @@ void TexelBuffers::classify(const Work& work) {
       if (texel.bare) {
         slow_ |= 1u << i;
       } else {
-        silhouettes.skip(visit);
+        silhouettes.walk.skip(visit);
       }
       continue;
     }
@@ -107,7 +107,7 @@ void TexelBuffers::step(Cycle now, const Inputs& in) {
   }
   done_ = silhouettes.step(now);
   if (at_work && running_ && done_) {
-    change_ = silhouettes.texel_changed();
+    change_ = silhouettes.texel.changed;
     const bool settles = window.work().kind == Work::kTile;
     pop_ = todo_ == 0 && !settles;
     next_resumed_ = !pop_;
@@ -164,7 +164,7 @@ bool TexelBuffers::clock(Cycle now) {
   if (written) dirty_ = 0;
   TexelState* const word = texels_.data() + held_ * kTexels;
   if (running_ && done_ && change_) {
-    word[lane_] = silhouettes.texel();
+    word[lane_] = silhouettes.texel;
     dirty_ |= 1u << lane_;
   }
   for (unsigned i = 0; put_now_ >> i != 0; ++i) {
