@@ -51,7 +51,7 @@ inline void expect_equal_pass(const char* name, const PassCycles& ours, const Pa
 inline void expect_equal_cycles(const Trace& trace, const UnitConfig& config, const Timing& timing,
                                 std::size_t portion = 0) {
   SystemcEngine model({timing, true});
-  RtlEngine rtl({BuildKind::kFast, timing, true, {}});
+  RtlEngine rtl({BuildKind::kFast, timing, true, nullptr, {}});
   const std::vector<Verdict> verdicts = run_frame(model, trace, config, portion);
   ASSERT_EQ(verdicts, run_frame(rtl, trace, config, portion));
   const std::vector<FragmentCycles>&a = model.fragment_cycles(), &b = rtl.fragment_cycles();
