@@ -88,11 +88,14 @@ module line_cache #(
   logic [Lines-1:0] hinted_q, again_q;   // a lookup is still to come, and another one
   logic [Lines-1:0] awaited;
 
-  logic                lookup_valid_q, new_q, forward_q, forward_way_q, raced_q, met_q, hint_valid_q, hint_weak_q, hint_raced_q, hinting_q;
+  logic                lookup_valid_q, new_q, met_q, hint_valid_q, hint_weak_q, hint_raced_q, hinting_q;
   logic                rd_valid_q, wr_valid_q, turn_q;  // which way the next choice among equals takes
-  logic                updated_now_q, taken_q, moved_q;  // an update of the cycle before; it took a line; moving
+  // Of the cycle before: was there an update, did it take a line, moving; a response; a fill; a reading.
+  logic                updated_now_q, taken_q, moved_q, came_q, filled_q, read_q;
+  logic                forward, forward_way, raced, forward_q, forward_way_q, raced_q;
   logic [AddrBits-1:0] lookup_q, hint_q, rd_addr_q, wr_addr_q;
   logic [SetBits-1:0]  lookup_set, hint_set;  // of lookup_q, hint_q
+  logic [SetBits-1:0]  came_set_q, filled_set_q;
   logic [LineBits-1:0] rd_line_q, update_line_q;
   logic [Width-1:0]    wr_data_q;
 
@@ -112,6 +115,13 @@ module line_cache #(
 
   // A hint of a line without a word says nothing: it is undefined at first.
   assign awaited = valid_q & hinted_q;
+
+  // What was read in the cycle before: is it the word of that cycle's update, or has its set changed?
+  assign forward     = read_q ? updated_now_q && wr_addr_q == lookup_q : forward_q;
+  assign forward_way = read_q ? Ways == 2 && update_line_q[0] : forward_way_q;
+  assign raced       = read_q ? (updated_now_q && set_of_line(update_line_q) == lookup_set)
+                                || (came_q && came_set_q == lookup_set) || (filled_q && filled_set_q == lookup_set)
+                              : raced_q;
 
   // ---- Lookup: the way that holds the word; or the one it will take ----------------------------
   always_comb begin
@@ -134,11 +144,11 @@ module line_cache #(
     end
     present = match != '0;
     if (present) lookup_way = Ways == 2 && match[Ways-1];
-    if (forward_q) lookup_way = forward_way_q;
+    if (forward) lookup_way = forward_way;
   end
   assign lookup_line = line_of(lookup_set, lookup_way);
-  assign hit_o       = lookup_valid_q && (forward_q || (!raced_q && (match & settled) != '0));
-  assign data_o      = forward_q ? wr_data_q : word;
+  assign hit_o       = lookup_valid_q && (forward || (!raced && (match & settled) != '0));
+  assign data_o      = forward ? wr_data_q : word;
   // Read again until it is there, and after each update: it may be of this word, or take its line.
   assign reading   = lookup_i || (lookup_valid_q && (!hit_o || updating));
   assign read_addr = lookup_i ? lookup_addr_i : lookup_q;
@@ -170,7 +180,7 @@ module line_cache #(
   // A hint's hangs on no update of this cycle, so that what hints wait for is known early; nor does the
   // lookup's, with two ways. An update that takes a line waits for it.
   assign can_fill    = !rd_valid_q || (rd_valid_o && rd_ready_i);
-  assign wants_fill  = lookup_valid_q && !new_q && !forward_q && !present && !raced_q && lookup_free;
+  assign wants_fill  = lookup_valid_q && !new_q && !forward && !present && !raced && lookup_free;
   assign fill_lookup = can_fill && wants_fill && (Ways == 2 || !taking);
   assign fill_hint   = can_fill && !wants_fill && hint_valid_q && hint_free && !hint_done && !hint_raced_q;
   assign hint_ready_o = !hint_valid_q || hint_done || fill_hint || (hint_weak_q && !hint_free && !hint_raced_q);
@@ -191,7 +201,7 @@ module line_cache #(
   // Of the word that is looked up it is known where it is, or where it may go. Of another one it is
   // not: it takes way 0, and the other way gives its word up.
   assign keep_rsp       = rsp_valid_i && valid_q[rsp_line];
-  assign new_ready      = lookup_valid_q && new_q && !forward_q && !raced_q && !present && lookup_free;
+  assign new_ready      = lookup_valid_q && new_q && !forward && !raced && !present && lookup_free;
   assign in_place       = (hit_o || new_ready) && update_addr_i == lookup_q;
   assign update_ready_o = (!wr_valid_q || wr_ready_i)
                           && ((hit_o && in_place)
@@ -305,12 +315,14 @@ module line_cache #(
       wr_addr_q <= update_addr_i;
       wr_data_q <= update_data_i;
     end
-    if (reading) begin
-      forward_q     <= updating && update_addr_i == read_addr;
-      forward_way_q <= update_way;
-      raced_q       <= (updating && update_set == read_set) || (keep_rsp && set_of_line(rsp_line) == read_set)
-                    || (fill && fill_set == read_set);
-    end
+    read_q        <= reading;
+    came_q        <= keep_rsp;
+    came_set_q    <= set_of_line(rsp_line);
+    filled_q      <= fill;
+    filled_set_q  <= fill_set;
+    forward_q     <= forward;
+    forward_way_q <= forward_way;
+    raced_q       <= raced;
     if (hint_again && !(met_now && hint_line == lookup_line)) begin
       again_q[hint_line]  <= hinted_q[hint_line];
       hinted_q[hint_line] <= 1'b1;

@@ -33,7 +33,8 @@ module slb_pool (
   localparam int unsigned LimitBits = shadow_pkg::LimitBits;
 
   logic [AddrBits-1:0]  spot_q, free_q, unused_q;  // unused_q: the first never used
-  logic [LimitBits-1:0] used_q;
+  logic [LimitBits-1:0] used_q, used;  // used_q: a cycle behind, for more and less are known late
+  logic                 more_q, less_q;
   logic [LimitBits:0]   pool_end;
   logic                 kept_q, has_free_q;
 
@@ -43,23 +44,29 @@ module slb_pool (
   assign dry_o      = !kept_q && (LimitBits + 1)'(unused_q) >= pool_end;
   assign free_o     = free_q;
   assign has_free_o = has_free_q;
-  assign used_o     = used_q;
+  assign used       = used_q + LimitBits'(more_q) - LimitBits'(less_q);
+  assign used_o     = used;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       kept_q     <= 1'b0;
       has_free_q <= 1'b0;
+      more_q     <= 1'b0;
+      less_q     <= 1'b0;
       used_q     <= '0;
     end else if (clear_i) begin
       kept_q     <= 1'b0;
       has_free_q <= 1'b0;
+      more_q     <= 1'b0;
+      less_q     <= 1'b0;
       used_q     <= '0;
     end else begin
       kept_q     <= keep_i || reuse_i || (kept_q && !take_i);
       has_free_q <= free_i || (reuse_i ? next_valid_i : has_free_q);
-      if (more_i && !less_i) used_q <= used_q + 1'b1;  // both are known late
-      if (less_i && !more_i) used_q <= used_q - 1'b1;
-      `CHECK(within_capacity, !more_i || less_i || used_q < settings_i.record_limit)
+      more_q     <= more_i;
+      less_q     <= less_i;
+      used_q     <= used;
+      `CHECK(within_capacity, !more_i || less_i || used < settings_i.record_limit)
       `CHECK(one_at_hand, !(keep_i || reuse_i) || !kept_q)
       `CHECK(takes_what_is_there, !take_i || !dry_o)
     end
