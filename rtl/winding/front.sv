@@ -47,7 +47,7 @@ module front (
   logic [2*C-1:0] product;
 
   // ---- The triangle: its setup keeps it until the last span is out ----
-  logic                   out_valid_q, out_free;  // the output register holds a visit; takes one
+  logic                   out_held, out_free;     // the output register holds a visit; takes one
   logic                   tri_valid, tri_done, take_tri, has_area, clockwise, plane_idle;
   logic [6*C-1:0]         vertices;
   logic [3*(C+1)-1:0]     edge_dx, edge_dy;
@@ -68,56 +68,14 @@ module front (
     .idle_o(plane_idle));
   assign take_tri = state_q == Idle && tri_valid && out_free;
 
-  logic [1:0]   low;  // the lowest vertex
-  logic [T-1:0] centre_x, centre_y, low_x_q, low_y_q;  // low: texel
-  assign low      = upward[0] && !upward[2] ? 2'd0 : upward[1] && !upward[0] ? 2'd1 : 2'd2;
-  assign centre_x = T'(settings_i.map_width[M:1]);
-  assign centre_y = T'(settings_i.map_height[M:1]);
-  logic [T-1:0] low_vertex_x, low_vertex_y;  // units of 2^16: f is 16 at least
-  assign low_vertex_x = T'($signed(vertices[2*low*C+16 +: C-16]));
-  assign low_vertex_y = T'($signed(vertices[2*low*C+C+16 +: C-16]));
-  always_ff @(posedge clk_i) begin
-    low_x_q <= T'($signed(low_vertex_x) >>> settings_i.texel_bits[3:0]) + centre_x;
-    low_y_q <= T'($signed(low_vertex_y) >>> settings_i.texel_bits[3:0]) + centre_y;
-  end
-
-  // ---- The next edge: walked ones first ----
-  logic [2:0] to_walk_q, to_pass_q, left;        // edges that are still to be set up
-  logic [1:0] chosen, edge_q, edge_next, from_vertex, to_vertex;
-  logic       choose, edge_valid, load_edge;
-  logic       edge_busy_q, edge_passes_q;        // edge_q is in setup; it will not be walked
-  assign left        = to_walk_q != '0 ? to_walk_q : to_pass_q;
-  assign chosen      = left[0] ? 2'd0 : left[1] ? 2'd1 : 2'd2;
-  assign choose      = left != '0 && (!edge_busy_q || load_edge);
-  assign edge_next   = edge_q == 2'd2 ? 2'd0 : edge_q + 2'd1;
-  assign from_vertex = upward[edge_q] ? edge_q : edge_next;
-  assign to_vertex   = upward[edge_q] ? edge_next : edge_q;
-  always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) begin
-      to_walk_q   <= '0;
-      to_pass_q   <= '0;
-      edge_busy_q <= 1'b0;
-    end else if (clear_i) begin
-      to_walk_q   <= '0;
-      to_pass_q   <= '0;
-      edge_busy_q <= 1'b0;
-    end else if (has_area) begin
-      to_walk_q   <= ~(inner & {3{settings_i.skip_edges}});
-      to_pass_q   <= inner & {3{settings_i.skip_edges}};
-    end else begin
-      if (choose) begin
-        to_walk_q[chosen] <= 1'b0;
-        if (to_walk_q == '0) to_pass_q[chosen] <= 1'b0;
-      end
-      edge_busy_q <= choose || (edge_busy_q && !load_edge);
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    if (choose) begin
-      edge_q        <= chosen;
-      edge_passes_q <= to_walk_q == '0;
-    end
-  end
+  // ---- The next edge ----
+  logic [1:0] edge_number, from_vertex, to_vertex;
+  logic       edge_valid, load_edge, edge_busy, edge_passes, all_set_up;
+  edge_order order (
+    .clk_i, .rst_ni, .clear_i, .begin_i(has_area), .passes_i(inner & {3{settings_i.skip_edges}}), .upward_i(upward),
+    .load_i(load_edge), .valid_o(edge_busy), .edge_o(edge_number), .passes_o(edge_passes),
+    .from_vertex_o(from_vertex), .to_vertex_o(to_vertex), .none_left_o(all_set_up)
+  );
 
   logic           x_positive, on_border, from_u_zero, from_v_zero, to_u_full, to_v_zero;
   logic [T-1:0]   first_u, first_v, last_u, last_v;
@@ -126,10 +84,10 @@ module front (
   logic [C-1:0]   v_rest, v_step, v_step_rest, du, u_rest, u_step, u_step_rest, dv;
   edge_setup edges (
     .clk_i, .rst_ni, .clear_i, .texel_bits_i(settings_i.texel_bits),
-    .edge_valid_i(edge_busy_q),
+    .edge_valid_i(edge_busy),
     .from_x_i(vertices[2*from_vertex*C +: C]), .from_y_i(vertices[2*from_vertex*C+C +: C]),
     .to_x_i(vertices[2*to_vertex*C +: C]), .to_y_i(vertices[2*to_vertex*C+C +: C]),
-    .upward_i(upward[edge_q]), .dx_i(edge_dx[edge_q*(C+1) +: C+1]), .dy_i(edge_dy[edge_q*(C+1) +: C+1]),
+    .upward_i(upward[edge_number]), .dx_i(edge_dx[edge_number*(C+1) +: C+1]), .dy_i(edge_dy[edge_number*(C+1) +: C+1]),
     .factors_valid_o(edge_factors), .factor_a_o(edge_a), .factor_b_o(edge_b), .product_done_i(product_done),
     .product_i(product),
     .valid_o(edge_valid), .ready_i(load_edge), .x_positive_o(x_positive), .on_border_o(on_border),
@@ -149,7 +107,7 @@ module front (
   logic [2:0] passed_q;      // edges before
   edge_walker walker (
     .clk_i, .texel_bits_i(settings_i.texel_bits), .load_i(load_edge),
-    .positive_i(clockwise == upward[edge_q]),
+    .positive_i(clockwise == upward[edge_number]),
     .x_positive_i(x_positive), .on_border_i(on_border), .first_u_i(first_u), .first_v_i(first_v),
     .last_u_i(last_u), .last_v_i(last_v), .from_u_i(from_u), .from_v_i(from_v), .from_u_zero_i(from_u_zero),
     .from_v_zero_i(from_v_zero), .to_u_i(to_u), .to_v_i(to_v), .to_u_full_i(to_u_full), .to_v_zero_i(to_v_zero),
@@ -169,40 +127,31 @@ module front (
   logic         reached_q;    // it is the walker's texel, and moves with it
   logic         approaches, arrives;
   logic         move_x, move_y, move_back, load_place;
-  logic [T-1:0] place_x_q, place_y_q, from_x, from_y;
-  logic         covers;
+  logic [T-1:0] place_x, place_y, low_x, low_y, centre_x, centre_y;
+  logic         covers, on_map, y_on_map;
   logic         fill_load, fill_x, fill_y, fill_back, filling;
   logic         fill_keep;
   logic [Depth-1:0] depth, fill_step;
   logic [D-1:0] rest, fill_step_rest;
   assign filling  = state_q == Fill;
-  assign tri_done = filling && !gaps_busy && !out_valid_q;
-  assign from_x  = load_place ? low_x_q : place_x_q;
-  assign from_y  = load_place ? low_y_q : place_y_q;
-  always_ff @(posedge clk_i) begin
-    if (move_x || load_place) place_x_q <= from_x + {{(T-1){move_x && move_back}}, move_x};
-    if (move_y || load_place) place_y_q <= from_y + T'(move_y);
-  end
-  corner_functions #(.DeltaBits(C + 1), .Bits(K), .Diagonal(1'b0)) corner (
-    .clk_i, .restart_i(load_place), .start_i(corners), .inexact_i(inexact), .dx_i(edge_dx), .dy_i(edge_dy),
-    .clockwise_i(clockwise), .move_x_i(move_x), .back_i(move_back), .move_y_i(move_y), .inside_o(covers));
-  plane_ramp #(.WholeBits(Depth), .RestBits(D)) ramp (
-    .clk_i, .load_i(filling ? fill_load : load_place),
-    .whole_i(start), .rest_i(start_rest),
-    .move_x_i(filling ? fill_x : move_x), .move_y_i(filling ? fill_y : move_y),
-    .back_i(filling ? fill_back : move_back),
-    .x_whole_i(filling ? fill_step : step_x), .x_rest_i(filling ? fill_step_rest : step_x_rest),
-    .y_whole_i(step_y), .y_rest_i(step_y_rest), .base_i(base), .whole_o(depth), .rest_o(rest));
+  assign tri_done = filling && !gaps_busy && !out_held;
+  walk_place place (
+    .clk_i, .texel_bits_i(settings_i.texel_bits[3:0]), .map_width_i(settings_i.map_width),
+    .map_height_i(settings_i.map_height), .vertices_i(vertices), .upward_i(upward), .edge_dx_i(edge_dx),
+    .edge_dy_i(edge_dy), .clockwise_i(clockwise), .corners_i(corners), .inexact_i(inexact), .start_i(start),
+    .start_rest_i(start_rest), .step_x_i(step_x), .step_x_rest_i(step_x_rest), .step_y_i(step_y),
+    .step_y_rest_i(step_y_rest), .base_i(base), .load_i(load_place), .move_x_i(move_x), .move_y_i(move_y),
+    .back_i(move_back), .filling_i(filling), .fill_load_i(fill_load), .fill_x_i(fill_x), .fill_y_i(fill_y),
+    .fill_back_i(fill_back), .fill_step_i(fill_step), .fill_step_rest_i(fill_step_rest),
+    .centre_x_o(centre_x), .centre_y_o(centre_y), .low_x_o(low_x), .low_y_o(low_y), .x_o(place_x), .y_o(place_y),
+    .covers_o(covers), .depth_o(depth), .rest_o(rest), .on_map_o(on_map), .row_on_map_o(y_on_map));
 
   // ---- Visited rows and gaps ----
-  logic         x_on_map, y_on_map, on_map, look, mark, visited, gap_valid, gap_ready, gaps_busy;
+  logic         look, mark, visited, gap_valid, gap_ready, gaps_busy;
   logic [M-1:0] gap_y, gap_from, gap_to;
-  assign x_on_map = place_x_q < T'(settings_i.map_width);
-  assign y_on_map = place_y_q < T'(settings_i.map_height);
-  assign on_map   = x_on_map && y_on_map;
   visited_rows #(.MapBits(M), .RowIndexBits(T)) rows (
     .clk_i, .rst_ni, .clear_i, .map_width_i(settings_i.map_width), .begin_i(state_q == Begin),
-    .visit_i(mark), .edge_i(walked_q), .x_i(place_x_q), .y_i(place_y_q[M-1:0]),
+    .visit_i(mark), .edge_i(walked_q), .x_i(place_x), .y_i(place_y[M-1:0]),
     .lookup_i(look), .passed_i(passed_q), .visited_o(visited), .gaps_i(state_q == Gaps),
     .gap_valid_o(gap_valid), .gap_ready_i(gap_ready), .gap_y_o(gap_y), .gap_from_o(gap_from),
     .gap_to_o(gap_to), .gaps_busy_o(gaps_busy));
@@ -212,7 +161,7 @@ module front (
   logic [3:0]     word_mask;
   logic [2*B-1:0] pair_bases;
   span_filler filler (
-    .clk_i, .rst_ni, .clear_i, .start_i(state_q == Gaps), .start_x_i(low_x_q), .start_y_i(low_y_q),
+    .clk_i, .rst_ni, .clear_i, .start_i(state_q == Gaps), .start_x_i(low_x), .start_y_i(low_y),
     .gap_valid_i(gap_valid), .gap_ready_o(gap_ready), .gap_y_i(gap_y), .gap_from_i(gap_from), .gap_to_i(gap_to),
     .step_x_whole_i(step_x), .step_x_rest_i(step_x_rest), .base_i(base), .whole_i(depth), .rest_i(rest),
     .keep_o(fill_keep), .load_o(fill_load), .move_x_o(fill_x), .move_y_o(fill_y), .back_o(fill_back),
@@ -230,7 +179,7 @@ module front (
   logic [1:0]   last_vertex_q;  // that the edge before ended in; 3: none
   logic         ready, probe, visit_it, comes_back, row_over, judged, step_on, edge_ends;
   assign approaches = state_q == Walk && !reached_q && !fresh_q;
-  assign arrives    = approaches && place_x_q == texel_x_q && place_y_q == texel_y_q;
+  assign arrives    = approaches && place_x == texel_x_q && place_y == texel_y_q;
   assign leftward   = passes_q && !walk_right && !(row_starts_q && row_ends);
   assign ready      = state_q == Walk && reached_q && on_edge && !row_done_q && out_free;
   assign probe      = ready && leftward;
@@ -257,16 +206,14 @@ module front (
       move_y    = !along_x;
       move_back = along_x && !walk_right;
     end else if (approaches) begin
-      move_y    = place_y_q != texel_y_q;
-      move_x    = place_y_q == texel_y_q && place_x_q != texel_x_q;
-      move_back = place_y_q == texel_y_q && $signed(place_x_q) > $signed(texel_x_q);
+      move_y    = place_y != texel_y_q;
+      move_x    = place_y == texel_y_q && place_x != texel_x_q;
+      move_back = place_y == texel_y_q && $signed(place_x) > $signed(texel_x_q);
     end else if (comes_back) begin
-      move_x = place_x_q != row_x_q;
+      move_x = place_x != row_x_q;
     end
   end
 
-  logic all_set_up;
-  assign all_set_up = left == '0 && !edge_busy_q;
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       state_q <= Idle;
@@ -281,18 +228,18 @@ module front (
         Walk:    if (edge_ends) state_q <= edge_valid ? Walk : Edge;
                  else if (probe && row_ends) state_q <= Judge;
         Judge:   if (judged) state_q <= wanted_q ? Return : edge_ends && !edge_valid ? Edge : Walk;
-        Return:  if (comes_back && place_x_q == row_x_q) state_q <= Walk;
+        Return:  if (comes_back && place_x == row_x_q) state_q <= Walk;
         Gaps:    state_q <= Fill;
         default: if (tri_done) state_q <= Idle;
       endcase
-      `CHECK(from_below, !approaches || $signed(place_y_q) <= $signed(texel_y_q))
-      `CHECK(together, !(state_q == Walk && reached_q) || (place_x_q == walk_x + centre_x && place_y_q == walk_y + centre_y))
+      `CHECK(from_below, !approaches || $signed(place_y) <= $signed(texel_y_q))
+      `CHECK(together, !(state_q == Walk && reached_q) || (place_x == walk_x + centre_x && place_y == walk_y + centre_y))
     end
   end
   always_ff @(posedge clk_i) begin
     if (load_edge) begin
-      walked_q      <= edge_q;
-      passes_q      <= edge_passes_q;
+      walked_q      <= edge_number;
+      passes_q      <= edge_passes;
       restart_q     <= from_vertex != last_vertex_q;
       last_vertex_q <= to_vertex;
     end else if (load_place) begin
@@ -313,20 +260,19 @@ module front (
     end else if (comes_back) begin
       row_done_q   <= 1'b1;
     end
-    if (probe && row_starts_q) row_x_q <= place_x_q;
+    if (probe && row_starts_q) row_x_q <= place_x;
     probe_due_q <= probe;
     probe_hit_q <= covers && on_map;
     wanted_q    <= !(load_edge || (walk_step && !along_x)) && wanted;
   end
 
   // ---- Visits ----
-  logic               out_inner_q, out_covers_q, dropped;
-  shadow_pkg::visit_t out_q, out;
+  shadow_pkg::visit_t out;
   always_comb begin
     out.kind          = state_q == Begin ? shadow_pkg::VisitBegin
                       : filling ? shadow_pkg::VisitSpan : shadow_pkg::VisitEdge;
-    out.x             = filling ? word_x : place_x_q[M-1:0];
-    out.y             = filling ? word_y : place_y_q[M-1:0];
+    out.x             = filling ? word_x : place_x[M-1:0];
+    out.y             = filling ? word_y : place_y[M-1:0];
     out.mask          = word_mask;
     out.corner        = 1'b0;  // known a cycle later
     out.has_segment   = !filling && has_segment && !passes_q && !(inner[walked_q] && dot);
@@ -335,34 +281,16 @@ module front (
     {out.base1, out.base0} = pair_bases;  // the first one is the place's own
     {out.base3, out.base2} = pair_bases;
   end
-  // An edge that is not walked visits only where it has a corner to count.
-  assign dropped       = out_inner_q && !(out_covers_q && !visited);
-  assign visit_valid_o = out_valid_q && !dropped;
-  assign out_free      = !out_valid_q || visit_ready_i;  // without what is dropped: that is known late
-  always_comb begin
-    visit_o        = out_q;
-    visit_o.corner = out_covers_q && !visited;
-  end
-  always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) out_valid_q <= 1'b0;
-    else if (clear_i) out_valid_q <= 1'b0;
-    else if (out_free) out_valid_q <= state_q == Begin || (visit_it && on_map) || word_valid;
-    else if (dropped) out_valid_q <= 1'b0;
-  end
-  always_ff @(posedge clk_i) begin
-    if (out_free) begin
-      out_q        <= out;
-      // A word's first pair has waited there.
-      if (filling && pair_upper) {out_q.base1, out_q.base0} <= {out_q.base1, out_q.base0};
-      out_inner_q  <= visit_it && passes_q;
-      out_covers_q <= visit_it && covers;
-    end
-  end
+  visit_output visits (
+    .clk_i, .rst_ni, .clear_i, .valid_i(state_q == Begin || (visit_it && on_map) || word_valid), .free_o(out_free),
+    .visit_i(out), .upper_i(filling && pair_upper), .passes_i(visit_it && passes_q), .covers_i(visit_it && covers),
+    .visited_i(visited), .held_o(out_held), .valid_o(visit_valid_o), .ready_i(visit_ready_i), .visit_o
+  );
 
-  assign idle_o  = plane_idle && state_q == Idle && !out_valid_q;
+  assign idle_o  = plane_idle && state_q == Idle && !out_held;
   assign setup_o = !visit_valid_o && ((state_q == Idle && !plane_idle) || state_q == Begin
                                       || state_q == Edge);
-  assign events_o.edge_begun  = load_edge && !edge_passes_q;
+  assign events_o.edge_begun  = load_edge && !edge_passes;
   assign events_o.edge_texel  = visit_it && on_map && !passes_q;
   assign events_o.inner_texel = ready && on_map && passes_q;
   assign events_o.span_texels = word_valid && out_free
