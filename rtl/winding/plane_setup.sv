@@ -79,20 +79,13 @@ module plane_setup #(
   logic [3*Z-1:0] depths;
   logic [3*Z+2:0] edge_z;
   logic [2:0]   precedes;  // vertex i is before i + 1 by x, y, z
-  logic [C-1:0] low_x, low_y, origin_x_q, origin_y_q;
-  logic [Z+2:0] origin_z_q;
+  logic [C-1:0] low_x, low_y, origin_x, origin_y;
+  logic [Z+2:0] origin_z;
   plane_triangle triangle (
     .clk_i, .take_i(tri_valid_i && tri_ready_o), .tri_i, .differences_i(state_q == Differences),
     .last_o(last_difference), .is_plane_o(is_plane), .shares_o(shares), .inner_o, .object_o(object),
     .vertices_o, .depths_o(depths), .edge_x_o(edge_dx_o), .edge_y_o(edge_dy_o), .edge_z_o(edge_z),
     .up_o(upward_o), .precedes_o(precedes), .low_x_o(low_x), .low_y_o(low_y));
-  logic [C-1:0] vx[3], vy[3];
-  logic [Z-1:0] vz[3];
-  for (genvar i = 0; i < 3; i++) begin : g_vertex
-    assign vx[i] = vertices_o[2*i*C +: C];
-    assign vy[i] = vertices_o[2*i*C+C +: C];
-    assign vz[i] = depths[i*Z +: Z];
-  end
   logic [K-1:0] corner_q[3];
   logic [2:0]   inexact_q;
 
@@ -104,48 +97,45 @@ module plane_setup #(
   localparam logic [4:0] PcArea = 5'd0, PcCorner1 = 5'd4, PcStepX = 5'd5, PcCorner2 = 5'd6,
                          PcSquare = 5'd10, PcStepY = 5'd11, PcEnd = 5'd13, PcNarrow = 5'd16,
                          PcNarrowDepth = 5'd19, PcNarrowEnd = 5'd20;
-  localparam logic [3:0] ToNone = 4'd0, ToArea = 4'd1, ToCorner = 4'd2, ToGradX = 4'd3, ToGradY = 4'd4,
-                         ToLength = 4'd5, ToSquare = 4'd6, ToAlong = 4'd7, ToDivider = 4'd8, ToEdge = 4'd9;
-  localparam logic [1:0] DivStepX = 2'd0, DivStepY = 2'd1, DivStart = 2'd2, DivNarrow = 2'd3;
+  localparam logic [3:0] ToArea = 4'd1, ToCorner = 4'd2, ToGradX = 4'd3, ToGradY = 4'd4,
+                         ToLength = 4'd5, ToSquare = 4'd6, ToAlong = 4'd7, ToDivider = 4'd8;
   logic [4:0] pc_q, pc_next;
   logic [1:0] term_q;
   logic [2:0] digit_q, b_digit, a_kind;
   logic       last_term, last_digit, minus, by_area, b_axis;
   logic [3:0] op_to;
   logic [1:0] op_index, a_axis, a_index, b_kind, b_index;
-  logic [1:0] longest_q, longest_back;  // edge, and the one before it
-  assign longest_back = longest_q == 2'd0 ? 2'd2 : longest_q - 2'd1;
+  logic [1:0] longest;  // edge
   plane_program program_of (
-    .pc_i(pc_q), .term_i(term_q), .digit_i(digit_q), .longest_i(longest_q), .last_term_o(last_term),
+    .pc_i(pc_q), .term_i(term_q), .digit_i(digit_q), .longest_i(longest), .last_term_o(last_term),
     .last_digit_o(last_digit), .minus_o(minus), .by_area_o(by_area), .to_o(op_to), .index_o(op_index),
     .a_kind_o(a_kind), .a_axis_o(a_axis), .a_index_o(a_index), .b_kind_o(b_kind), .b_axis_o(b_axis),
     .b_index_o(b_index), .b_digit_o(b_digit));
 
   // ---- Factors ----
   logic [G-1:0]       grad_x_q, grad_y_q;
-  logic [D-1:0]       den_q, best_q;  // best_q: the longest edge's square; then where the third vertex is along it
+  logic [D-1:0]       den_q, best;  // best: the longest edge's square; then where the third vertex is along it
   logic               clockwise_q;
   logic               issue, flush, hold_q;  // hold_q: the sum is for the divider, which has not taken it
-  logic               edge_digit_q, edge_issue;  // a product for edge_setup: which digit
+  logic               edge_digit, edge_issue;  // a product for edge_setup: which digit
   logic               sum_valid, sum_minus, sum_first, sum_move;
   logic [A-1:0]       factor_a;
   logic [Digit:0]     factor_b;
   plane_factors factors (
     .clk_i, .texel_bits_i, .vertices_i(vertices_o), .low_x_i(low_x), .low_y_i(low_y), .edge_x_i(edge_dx_o),
-    .edge_y_i(edge_dy_o), .edge_z_i(edge_z), .origin_x_i(origin_x_q), .origin_y_i(origin_y_q),
-    .grad_x_i(grad_x_q), .grad_y_i(grad_y_q), .den_i(den_q), .best_i(best_q), .clockwise_i(clockwise_q),
+    .edge_y_i(edge_dy_o), .edge_z_i(edge_z), .origin_x_i(origin_x), .origin_y_i(origin_y),
+    .grad_x_i(grad_x_q), .grad_y_i(grad_y_q), .den_i(den_q), .best_i(best), .clockwise_i(clockwise_q),
     .valid_i(issue || edge_issue), .a_kind_i(a_kind), .a_axis_i(a_axis), .a_index_i(a_index),
     .b_kind_i(b_kind), .b_axis_i(b_axis), .b_index_i(b_index), .b_digit_i(b_digit), .minus_i(minus),
-    .by_area_i(by_area), .first_i(edge_issue ? !edge_digit_q : term_q == '0 && digit_q == '0),
-    .move_i(edge_issue ? !edge_digit_q : last_term && !last_digit), .edge_i(edge_issue),
-    .edge_high_i(edge_digit_q), .edge_a_i, .edge_b_i, .valid_o(sum_valid), .a_o(factor_a), .digit_o(factor_b),
+    .by_area_i(by_area), .first_i(edge_issue ? !edge_digit : term_q == '0 && digit_q == '0),
+    .move_i(edge_issue ? !edge_digit : last_term && !last_digit), .edge_i(edge_issue),
+    .edge_high_i(edge_digit), .edge_a_i, .edge_b_i, .valid_o(sum_valid), .a_o(factor_a), .digit_o(factor_b),
     .minus_o(sum_minus), .first_o(sum_first), .move_o(sum_move));
 
   // ---- Sums: factors, sum ----
-  logic               last_issue;            // of a sum
-  logic [3:0]         to_next, to1_q, to2_q, to3_q, to_q;
-  logic [1:0]         index1_q, index2_q, index3_q, op_index_q;
-  logic               edge_waits_q;          // its product is on the way
+  logic               last_issue, in_flight;  // of a sum; sums are on their way
+  logic [3:0]         to;
+  logic [1:0]         sum_index;
   logic [SumBits-1:0] sum;
   logic [2*C+1:0]     short_sum;             // of two digits
   plane_sums #(.ABits(A), .DigitBits(Digit), .Digits(4)) sums (
@@ -154,94 +144,46 @@ module plane_setup #(
   assign short_sum  = sum[2*Digit +: 2*C+2];
   assign product_o  = short_sum[2*C-1:0];
   assign last_issue = issue && last_term && last_digit;
-  assign to_next    = last_issue ? op_to : edge_issue && edge_digit_q ? ToEdge : ToNone;
-  always_ff @(posedge clk_i) begin
-    index1_q   <= op_index;
-    index2_q   <= index1_q;
-    index3_q   <= index2_q;
-    op_index_q <= index3_q;
-  end
-  assign edge_issue = edge_valid_i && !edge_waits_q
-                   && (edge_digit_q || (!hold_q && (state_q != Run || (term_q == '0 && digit_q == '0))));
-  assign edge_done_o = to_q == ToEdge;
-  always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) begin
-      to1_q        <= ToNone;
-      to2_q        <= ToNone;
-      to3_q        <= ToNone;
-      to_q         <= ToNone;
-      edge_digit_q <= 1'b0;
-      edge_waits_q <= 1'b0;
-    end else if (clear_i) begin
-      to1_q        <= ToNone;
-      to2_q        <= ToNone;
-      to3_q        <= ToNone;
-      to_q         <= ToNone;
-      edge_digit_q <= 1'b0;
-      edge_waits_q <= 1'b0;
-    end else begin
-      to1_q        <= no_area ? ToNone : to_next;
-      to2_q        <= no_area ? ToNone : to1_q;
-      to3_q        <= no_area ? ToNone : to2_q;
-      to_q         <= no_area ? ToNone : to3_q;
-      edge_digit_q <= edge_issue && !edge_digit_q;
-      edge_waits_q <= (edge_issue && edge_digit_q) || (edge_waits_q && !edge_done_o);
-    end
-  end
+  plane_stages stages (
+    .clk_i, .rst_ni, .clear_i, .flush_i(no_area), .issue_i(last_issue), .to_i(op_to), .index_i(op_index), .to_o(to),
+    .index_o(sum_index), .in_flight_o(in_flight), .edge_valid_i,
+    .edge_may_i(!hold_q && (state_q != Run || (term_q == '0 && digit_q == '0))),
+    .edge_issue_o(edge_issue), .edge_digit_o(edge_digit), .edge_done_o);
 
   logic no_area;
-  assign no_area = to_q == ToArea && short_sum == '0 && !is_plane;
+  assign no_area = to == ToArea && short_sum == '0 && !is_plane;
 
   // ---- Divisions ----
-  logic                    div_valid, div_ready, div_done, div_take, div_clear;
+  logic                    div_taken, div_ready, gradient_valid, encoder_ready, encoder_done, finish_start, finish_narrow;
+  logic [Depth-1:0]        bias, offset;  // offset: origin's depth, and what rounds up to a step
   /* verilator lint_off UNUSEDSIGNAL */ // depths are modular: what is above is cut off
   logic [QuotientBits-1:0] quotient;
   /* verilator lint_on UNUSEDSIGNAL */
-  logic [D-1:0]            remainder;
-  logic [1:0]              division_q;
-  logic                    encoder_ready, encoder_done;
-  divider #(.NumeratorBits(NumeratorBits), .DivisorBits(D), .QuotientBits(QuotientBits), .SkipBits(8)) division (
-    .clk_i, .rst_ni, .clear_i(clear_i || div_clear),
-    .valid_i(div_valid), .ready_o(div_ready), .numerator_i(sum[NumeratorBits-1:0]), .divisor_i(den_q),
-    .valid_o(div_done), .ready_i(div_take), .quotient_o(quotient), .remainder_o(remainder));
-  logic       waiting_q;  // the sum for the divider is complete
-  logic [1:0] waits_for, waits_for_q;
-  assign div_valid = (to_q == ToDivider || waiting_q) && !flush;
-  always_comb begin
-    unique case (division_q)
-      DivStepX, DivStepY: div_take = encoder_ready;
-      DivStart:           div_take = encoder_done && state_q == Run;
-      default:            div_take = 1'b1;
-    endcase
-  end
-  always_ff @(posedge clk_i) begin
-    waits_for_q <= waits_for;
-    if (div_valid && div_ready) division_q <= waits_for;
-  end
-  assign waits_for = to_q == ToDivider ? op_index_q : waits_for_q;
+  plane_quotients #(.NumeratorBits(NumeratorBits), .QuotientBits(QuotientBits)) quotients (
+    .clk_i, .rst_ni, .clear_i, .flush_i(flush), .valid_i(to == ToDivider), .taken_o(div_taken), .ready_o(div_ready),
+    .division_i(sum_index), .numerator_i(sum[NumeratorBits-1:0]), .divisor_i(den_q),
+    .gradient_valid_o(gradient_valid), .encoder_ready_i(encoder_ready), .quotient_o(quotient),
+    .bias_ready_i(encoder_done && state_q == Run), .bias_i(bias), .start_done_o(finish_start),
+    .narrow_done_o(finish_narrow), .keep_i, .whole_i, .rest_i, .step_x_whole_o, .step_x_rest_o, .step_y_whole_o,
+    .step_y_rest_o, .start_whole_o, .start_rest_o);
 
   // ---- Is it narrow? ----
-  logic       narrow, tiny, narrow_q, start_narrow;
-  logic [1:0] rank, best_rank_q;  // of equally long edges: the least
-  logic [2:0] opposite_last, opposite_first;
-  for (genvar i = 0; i < 3; i++) begin : g_rank
-    assign opposite_last[i]  = precedes[(i+1)%3] && !precedes[(i+2)%3];
-    assign opposite_first[i] = !precedes[(i+1)%3] && precedes[(i+2)%3];
-  end
-  assign rank = opposite_last[op_index_q] ? 2'd0 : opposite_first[op_index_q] ? 2'd1 : 2'd2;
-  logic longer;
-  assign longer = op_index_q == 2'd0 || short_sum[D-1:0] > best_q || (short_sum[D-1:0] == best_q && rank < best_rank_q);
+  logic narrow, tiny, narrow_q, start_narrow;
+  logic third_due_q;  // the third vertex's depth, carried to the edge beside it, is there
+  plane_longest longest_edge (
+    .clk_i, .vertices_i(vertices_o), .depths_i(depths), .precedes_i(precedes), .length_i(to == ToLength),
+    .index_i(sum_index), .sum_i(short_sum[D-1:0]), .along_i(to == ToAlong), .longest_o(longest), .best_o(best),
+    .first_i(state_q == Differences && (is_plane || !shares)), .flat_i(state_q == Judge && start_narrow && tiny),
+    .edge_i(state_q == Judge && start_narrow), .third_due_i(state_q == Run && third_due_q), .carry_i(quotient[Z+2:0]),
+    .origin_x_o(origin_x), .origin_y_o(origin_y), .origin_z_o(origin_z));
   assign narrow = !sum[SumBits-1];
-  assign tiny   = best_q <= D'(1) << (6'(texel_bits_i - 5'(F + 2)) << 1);
-  assign start_narrow = to_q == ToSquare && narrow;
+  assign tiny   = best <= D'(1) << (6'(texel_bits_i - 5'(F + 2)) << 1);
+  assign start_narrow = to == ToSquare && narrow;
   logic small_area;
   assign small_area = den_q[D-1:SmallBits] == '0;
 
   // ---- Control ----
   logic wait_here, last_of_plane;
-  logic [Z-1:0] highest_01, highest;
-  assign highest_01 = vz[0] > vz[1] ? vz[0] : vz[1];
-  assign highest    = highest_01 > vz[2] ? highest_01 : vz[2];
   assign last_of_plane = is_plane && pc_q == PcCorner1;
   always_comb begin
     pc_next = pc_q + 5'd1;
@@ -250,8 +192,6 @@ module plane_setup #(
     if (pc_q == PcCorner2 && (shares || !small_area)) pc_next = PcStepY;
   end
   // Sums that a product's factor needs, or that must stay, are waited for.
-  logic in_flight;
-  assign in_flight = to1_q != ToNone || to2_q != ToNone || to3_q != ToNone || to_q != ToNone;
   always_comb begin
     unique case (pc_q)
       PcEnd, PcNarrowEnd: wait_here = 1'b1;
@@ -261,29 +201,20 @@ module plane_setup #(
   end
   assign issue = state_q == Run && !wait_here && !flush && !edge_issue;
   assign flush = no_area || start_narrow;
-  assign div_clear = flush;
 
-  logic [Depth-1:0] bias, offset;  // offset: origin's depth, and what rounds up to a step
-  logic         finish_start, finish_narrow;
-  logic         third_due_q;  // the third vertex's depth, carried to the edge beside it, is there
-  logic [Z+2:0] third_z_q;
-  assign finish_start  = div_done && div_take && division_q == DivStart;
-  assign finish_narrow = div_done && division_q == DivNarrow;
   assign tri_ready_o = state_q == Idle;
   assign valid_o     = state_q == Done;
   assign idle_o      = state_q == Idle;
-  assign area_o      = to_q == ToArea && !is_plane && !no_area;
+  assign area_o      = to == ToArea && !is_plane && !no_area;
   assign caster_o    = tri_valid_i && tri_ready_o && !tri_i.is_plane;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      state_q   <= Idle;
-      hold_q    <= 1'b0;
-      waiting_q <= 1'b0;
+      state_q <= Idle;
+      hold_q  <= 1'b0;
     end else if (clear_i) begin
-      state_q   <= Idle;
-      hold_q    <= 1'b0;
-      waiting_q <= 1'b0;
+      state_q <= Idle;
+      hold_q  <= 1'b0;
     end else begin
       unique case (state_q)
         Idle: if (tri_valid_i) state_q <= Differences;
@@ -293,14 +224,13 @@ module plane_setup #(
           else if (last_issue && pc_q == PcSquare) state_q <= Judge;
           else if (finish_start) state_q <= Done;
         end
-        Judge: if (to_q == ToSquare) state_q <= Run;
+        Judge: if (to == ToSquare) state_q <= Run;
         default: if (ready_i) state_q <= Idle;
       endcase
       if (flush) hold_q <= 1'b0;
       else if (last_issue && op_to == ToDivider) hold_q <= 1'b1;
-      else if (div_valid && div_ready) hold_q <= 1'b0;
-      waiting_q <= div_valid && !div_ready && !flush;
-      `CHECK(divisor_stays, to_q != ToArea || div_ready)
+      else if (div_taken) hold_q <= 1'b0;
+      `CHECK(divisor_stays, to != ToArea || div_ready)
     end
   end
   always_ff @(posedge clk_i) begin
@@ -310,11 +240,6 @@ module plane_setup #(
         narrow_q <= 1'b0;
         term_q   <= '0;
         digit_q  <= '0;
-        if (is_plane || !shares) begin
-          origin_x_q <= vx[0];
-          origin_y_q <= vy[0];
-          origin_z_q <= {3'b0, vz[0]};
-        end
       end
       Run: begin
         if (issue) begin
@@ -323,27 +248,17 @@ module plane_setup #(
           if (last_issue) pc_q <= pc_next;
         end
         if (finish_narrow) pc_q <= PcStepX;
-        // As far as the third vertex, if that lies beyond the edge beside it.
-        if (third_due_q && $signed(third_z_q) > $signed(origin_z_q)) origin_z_q <= third_z_q;
       end
       Judge: if (start_narrow) begin
         narrow_q <= 1'b1;
         pc_q     <= tiny ? PcStepX : PcNarrow;
-        if (tiny) begin
-          origin_z_q <= {3'b0, highest};
-        end else begin
-          den_q      <= best_q;
-          origin_x_q <= vx[longest_q];
-          origin_y_q <= vy[longest_q];
-          origin_z_q <= {3'b0, vz[longest_q]};
-        end
+        if (!tiny) den_q <= best;
       end
       default: ;
     endcase
 
-    third_z_q   <= {3'b0, vz[longest_back]} - quotient[Z+2:0];
     third_due_q <= finish_narrow;
-    unique case (to_q)
+    unique case (to)
       ToArea: begin
         clockwise_q <= short_sum[D];
         if (is_plane || !shares) begin
@@ -353,41 +268,14 @@ module plane_setup #(
       ToGradX: grad_x_q <= short_sum[G-1:0];
       ToGradY: grad_y_q <= short_sum[G-1:0];
       ToCorner: begin
-        corner_q[op_index_q]  <= K'($signed(short_sum[2*C+1:16]) >>> texel_bits_i[3:0]);
-        inexact_q[op_index_q] <= (short_sum[C-2:0] & below) != '0;
+        corner_q[sum_index]  <= K'($signed(short_sum[2*C+1:16]) >>> texel_bits_i[3:0]);
+        inexact_q[sum_index] <= (short_sum[C-2:0] & below) != '0;
       end
-      ToLength: if (longer) begin
-        best_q      <= short_sum[D-1:0];
-        best_rank_q <= rank;
-        longest_q   <= op_index_q;
-      end
-      ToAlong: best_q <= short_sum[D-1:0];
       default: ;
     endcase
     if (start_narrow && tiny) begin
       grad_x_q <= '0;
       grad_y_q <= '0;
-    end
-
-    if (keep_i) begin
-      start_whole_o <= whole_i;
-      start_rest_o  <= rest_i;
-    end else if (div_done && div_take) begin
-      unique case (division_q)
-        DivStepX: begin
-          step_x_whole_o <= quotient[Depth-1:0];
-          step_x_rest_o  <= remainder;
-        end
-        DivStepY: begin
-          step_y_whole_o <= quotient[Depth-1:0];
-          step_y_rest_o  <= remainder;
-        end
-        DivStart: begin
-          start_whole_o <= quotient[Depth-1:0] + bias;
-          start_rest_o  <= remainder;
-        end
-        default: ;
-      endcase
     end
   end
 
@@ -395,10 +283,10 @@ module plane_setup #(
   shadow_pkg::visit_tri_t visit_tri;
   gradient_encoder encoder (
     .clk_i, .rst_ni, .clear_i(clear_i || flush || state_q == Differences),
-    .valid_i(div_done && (division_q == DivStepX || division_q == DivStepY)), .ready_o(encoder_ready),
+    .valid_i(gradient_valid), .ready_o(encoder_ready),
     .gradient_i(quotient[F+27:0]), .offset_i(offset), .code_x_o(visit_tri.gradient_x), .code_y_o(visit_tri.gradient_y),
     .done_o(encoder_done), .bias_o(bias));
-  assign offset = Depth'(origin_z_q) + (shares ? Depth'(plane_tolerance_i) : '0)
+  assign offset = Depth'(origin_z) + (shares ? Depth'(plane_tolerance_i) : '0)
                 + Depth'((1 << shadow_pkg::PlaneStepBits) - 1);
   assign visit_tri.object = object;
   assign visit_tri_o      = visit_tri;
