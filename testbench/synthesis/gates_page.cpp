@@ -29,8 +29,8 @@ gives the smallest netlist, and `buffer`, `upsize` and `dnsize` then size it for
 what a register, a memory or a port drives nor what lies beyond a module: there trees of BUFX4 go in
 (`fanout.h`: more than {} readers; {} a buffer), which the total has and the blocks have not. Other scripts:
 `kagesen gates --top NAME --abc FILE`; a parameter's price: `kagesen gates --sweep`. `kagesen netlist unit`
-plays the netlist, buffers and all, against the Verilog, with everything unknown at first: in the paper profile
-every bit is right; in the winding profile registers that are set by a clear alone stay unknown, and spread.
+plays the netlist, buffers and all, against the Verilog, with everything unknown at first: every bit
+is right, in the winding profile too (`--set profile=winding`).
 )";
 
 std::string block_table(const GateReport& report) {
