@@ -13,6 +13,7 @@ struct MutationBlock {
   unsigned mutants;  ///< by default
   /// Outputs that mean something only while another one is high (testbench/mutation/care.h).
   std::vector<std::pair<std::string, std::string>> qualifiers = {};
+  unsigned beats = 60000;  ///< of the test's clock cycles that are kept, at most
 };
 const std::vector<MutationBlock>& mutation_blocks();
 

@@ -62,8 +62,10 @@ Recording record(const MutationBlock& block) {
     if (file.path().filename() != block.test || !file.is_regular_file()) continue;
     fs::remove(pins / (block.dut + ".pins"));
     setenv("KAGESEN_RECORD", pins.c_str(), 1);
+    setenv("KAGESEN_RECORD_BEATS", std::to_string(block.beats).c_str(), 1);
     run_or_throw(block.test, {file.path().string()}, build, build / (block.test + ".log"));
     unsetenv("KAGESEN_RECORD");
+    unsetenv("KAGESEN_RECORD_BEATS");
     Recording recording = read_manifest(build / "recorders" / (block.dut + ".manifest"));
     recording.pins = (pins / (block.dut + ".pins")).string();
     return recording;
