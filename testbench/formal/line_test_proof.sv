@@ -1,4 +1,4 @@
-// The test of a line equals Tables 5 and 6 as docs/unit.md states them, products and all, for every
+// The test of a line equals Tables 5 and 6 as docs/unit.md states them (line_spec.sv), products and all, for every
 // line and every point of a 1/16 texel grid, at 3-bit fields.
 //
 // package: FractionBits=3 SlopeBits=3 PolygonBits=1
@@ -18,27 +18,11 @@ module line_test_proof #(
   logic holds_o;
   line_test #(.PointBits(PointBits)) dut (.nx_i(One - x_i), .*);
 
-  // In units of 2^-7 texel: 4 bits of the point and 3 of the slope.
-  wire signed [15:0] mx       = $signed({11'b0, x_i});
-  wire signed [15:0] my       = $signed({11'b0, y_i});
-  wire signed [15:0] u        = line_i.x_positive ? mx : 16'sd16 - mx;
-  wire signed [15:0] major    = line_i.x_major ? u : my;
-  wire signed [15:0] minor    = line_i.x_major ? my : u;
-  wire signed [15:0] fraction = $signed({13'b0, line_i.fraction});
-  wire signed [15:0] slope    = $signed({13'b0, line_i.slope});
-  wire signed [15:0] cross_at = line_i.cross_flag ? 16'sd16 : 16'sd0;
-  wire signed [15:0] d        = minor * 16'sd8 - fraction * 16'sd16 - slope * (major - cross_at);
-  logic point_is_left;
-  always_comb begin
-    case ({line_i.x_major, line_i.x_positive})
-      2'b11, 2'b00: point_is_left = d > 16'sd0;
-      default:      point_is_left = d < 16'sd0;
-    endcase
-  end
+  logic spec_holds;
+  half_plane_spec #(.PointBits(PointBits)) spec (.line_i, .x_i, .y_i, .holds_o(spec_holds));
 
   always_ff @(posedge clk_i) begin
     assume (x_i <= One && y_i <= One);
-    // A Left line has its inside on the right, which the line itself belongs to.
-    assert (holds_o == (line_i.left != point_is_left));
+    assert (holds_o == spec_holds);
   end
 endmodule

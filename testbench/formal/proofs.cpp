@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <regex>
 #include <sstream>
 
@@ -38,13 +39,15 @@ Proof read_proof(const fs::path& file) {
       proof.pipeline = static_cast<unsigned>(std::stoul(value));
     } else if (found[1] == "package") {
       std::istringstream sets(value);
-      for (std::string set; sets >> set;) proof.package_sets.push_back(set);
+      proof.packages.emplace_back(std::istream_iterator<std::string>(sets),
+                                  std::istream_iterator<std::string>());
     } else if (std::regex_match(value, parts, broken)) {
       proof.broken.push_back({parts[1], parts[2], parts[3]});
     } else {
       throw UserError(proof.file, "cannot be read: " + words, "write FILE: `old` => `new`");
     }
   }
+  if (proof.packages.empty()) proof.packages.emplace_back();
   return proof;
 }
 
@@ -60,13 +63,13 @@ void write_broken(const std::string& file, const BrokenCopy& broken, const fs::p
   write_file(copy, text.replace(at, broken.old_text.size(), broken.new_text));
 }
 
-std::vector<std::string> sources_of(const Proof& proof, const BrokenCopy* broken,
-                                    const fs::path& folder) {
+std::vector<std::string> sources_of(const Proof& proof, const std::vector<std::string>& package,
+                                    const BrokenCopy* broken, const fs::path& folder) {
   UnitConfig config;
   config.profile = proof.profile == "winding" ? Profile::kWinding : Profile::kPaper;
-  write_file(folder / "shadow_pkg.sv",
-             with_package_sets(shadow_package(config), proof.package_sets));
+  write_file(folder / "shadow_pkg.sv", with_package_sets(shadow_package(config), package));
   RtlSources rtl(config.profile);
+  rtl.add_file(source_folder() + "/testbench/formal/line_spec.sv");
   rtl.add_file(proof.file);
   std::vector<std::string> files = rtl.of(proof.name + "_proof");
   files.insert(files.begin(), ram_file());
@@ -83,32 +86,18 @@ std::vector<std::string> sources_of(const Proof& proof, const BrokenCopy* broken
   return files;
 }
 
-}  // namespace
-
-std::vector<Proof> find_proofs() {
-  std::vector<Proof> proofs;
-  for (const auto& entry : fs::directory_iterator(source_folder() + "/testbench/formal")) {
-    const std::string stem = entry.path().stem().string();
-    const bool harness = entry.path().extension() == ".sv" && stem.size() > 6 &&
-                         stem.compare(stem.size() - 6, 6, "_proof") == 0;
-    if (harness) proofs.push_back(read_proof(entry.path()));
-  }
-  std::sort(proofs.begin(), proofs.end(),
-            [](const Proof& a, const Proof& b) { return a.name < b.name; });
-  return proofs;
-}
-
-Verdict run_proof(const Proof& proof, const BrokenCopy* broken, double limit_s) {
+Verdict run_proof(const Proof& proof, std::size_t package, const BrokenCopy* broken,
+                  double limit_s) {
   const std::string yosys = find_tool("yosys", "yosys");
   const std::string abc = find_tool("berkeley-abc", "berkeley-abc");
   // Nothing is taken from an earlier run; the folder keeps what the last one said.
   const std::string variant =
       broken ? ContentKey().add(broken->file, broken->new_text).hex() : "rtl";
-  const fs::path folder =
-      cache_folder() / "proofs" / fmt::format("{}_{}", proof.name, variant.substr(0, 8));
+  const fs::path folder = cache_folder() / "proofs" /
+                          fmt::format("{}_{}_{}", proof.name, package, variant.substr(0, 8));
   fs::remove_all(folder);
   fs::create_directories(folder);
-  const std::vector<std::string> files = sources_of(proof, broken, folder);
+  const std::vector<std::string> files = sources_of(proof, proof.packages[package], broken, folder);
   const std::string script = read_file(source_folder() + "/testbench/formal/prove.ys.in");
   write_file(
       folder / "prove.ys",
@@ -137,6 +126,34 @@ Verdict run_proof(const Proof& proof, const BrokenCopy* broken, double limit_s) 
   if (words.find(proved) != std::string::npos) verdict.outcome = Outcome::kProved;
   if (words.find("was asserted in frame") != std::string::npos) verdict.outcome = Outcome::kRefuted;
   return verdict;
+}
+
+}  // namespace
+
+std::vector<Proof> find_proofs() {
+  std::vector<Proof> proofs;
+  for (const auto& entry : fs::directory_iterator(source_folder() + "/testbench/formal")) {
+    const std::string stem = entry.path().stem().string();
+    const bool harness = entry.path().extension() == ".sv" && stem.size() > 6 &&
+                         stem.compare(stem.size() - 6, 6, "_proof") == 0;
+    if (harness) proofs.push_back(read_proof(entry.path()));
+  }
+  std::sort(proofs.begin(), proofs.end(),
+            [](const Proof& a, const Proof& b) { return a.name < b.name; });
+  return proofs;
+}
+
+Verdict run_proof(const Proof& proof, const BrokenCopy* broken, double limit_s) {
+  Verdict all{Outcome::kProved, 0, ""};
+  for (std::size_t package = 0; package < proof.packages.size(); ++package) {
+    const Verdict one = run_proof(proof, package, broken, limit_s);
+    all.seconds += one.seconds;
+    if (one.outcome == Outcome::kProved) continue;
+    all.outcome = one.outcome;
+    all.log = one.log;
+    if (one.outcome == Outcome::kRefuted) break;
+  }
+  return all;
 }
 
 }  // namespace kagesen

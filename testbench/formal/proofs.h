@@ -4,10 +4,14 @@
 ///
 /// NAME_proof.sv is a module of that name without reset input. Its header comment may say
 ///   // profile: winding                       the package and the folder of the blocks; else paper
-///   // package: FractionBits=3 SlopeBits=3    constants that replace the package's
-///   // pipeline: 3                           no value lives longer than so many cycles, so that all
-///                                            runs of one cycle more are all runs; else the search is
-///                                            unbounded
+///   // package: FractionBits=3 SlopeBits=3    constants that replace the package's; each such line
+///   is
+///                                            a proof of its own
+///   // pipeline: 3                           no value lives longer than so many cycles, so that
+///   all
+///                                            runs of one cycle more are all runs; else the search
+///                                            is unbounded
+///   // long run                             no test of ctest
 ///   // broken: FILE: `old` => `new`           a copy of the RTL that the proof must refuse
 #include <string>
 #include <vector>
@@ -20,8 +24,8 @@ struct BrokenCopy {
 struct Proof {
   std::string name;  ///< without _proof
   std::string file, profile = "paper";
-  std::vector<std::string> package_sets;
-  unsigned pipeline = 0;  ///< 0: state may live for ever
+  std::vector<std::vector<std::string>> packages;  ///< NAME=VALUE...; one at least
+  unsigned pipeline = 0;                           ///< 0: state may live for ever
   std::vector<BrokenCopy> broken;
 };
 
@@ -35,8 +39,9 @@ struct Verdict {
   std::string log;  ///< file
 };
 
-/// @param broken   nullptr: the RTL as it is
-/// @param limit_s  of the search
+/// @param broken   nullptr: the RTL as it is, and all packages have to be proved; else one that
+///                 refutes is enough
+/// @param limit_s  of a search
 Verdict run_proof(const Proof& proof, const BrokenCopy* broken, double limit_s);
 
 }  // namespace kagesen
