@@ -14,7 +14,7 @@ module texel_buffers (
   input  logic                                  rst_ni,
   input  logic                                  clear_i,
   input  logic                                  paper_i,       // settings_t.paper_semantics
-  // visits and their word, from memory_window; mask: texels visited
+  // visits and their word, from memory_window; mask: texels visited, each with its base
   input  logic                                  in_valid_i,
   input  logic                                  in_fresh_i,
   /* verilator lint_off UNUSEDSIGNAL */  // place and segment go elsewhere
@@ -103,10 +103,8 @@ module texel_buffers (
   assign evaluate = at_work && !begins && !running_q && !sums_q;
 
   for (genvar i = 0; i < 4; i++) begin : g_texel
-    logic [B-1:0] base;
-    assign base = span ? body[i*B+:B] : in_i.base0;
     texel_test test (
-      .paper_i, .span_i(span), .settle_i(settles), .nothing_i(nothing), .base_i(base), .tri_i(tri_q),
+      .paper_i, .span_i(span), .settle_i(settles), .nothing_i(nothing), .base_i(body[i*B+:B]), .tri_i(tri_q),
       .tri_steep_i(tri_steep_q), .tri_half_i(tri_half_q), .tri_mark_i(tri_mark_q), .texel_i(word_q[i*T+:T]),
       .steep_i(steep_q[i]), .half_i(half_q[i*27+:27]), .hidden_o(hidden[i]), .put_o(put[i]), .slow_o(slow[i]),
       .held_o(held[i]), .mark_o(marks[5*i+:5]), .unmarked_o(unmarked[i])
@@ -138,7 +136,7 @@ module texel_buffers (
         end
       end else if (evaluate && active[i] && put[i] && !settles) begin
         word_d[i*T+:T]   = {shadow_pkg::TexelPlane, tri_q.object,
-                            shadow_pkg::WordBits'({base, tri_q.gradient_x, tri_q.gradient_y})};
+                            shadow_pkg::WordBits'({body[i*B+:B], tri_q.gradient_x, tri_q.gradient_y})};
         steep_d[i]       = tri_steep_q;
         half_d[i*27+:27] = tri_half_q;
       end
@@ -165,7 +163,7 @@ module texel_buffers (
   assign half_o        = tri_half_q;
   assign gradient_o    = {tri_q.gradient_x, tri_q.gradient_y};
   assign object_o      = tri_q.object;
-  assign base_o        = span ? body[32'(lane)*B+:B] : in_i.base0;
+  assign base_o        = body[32'(lane)*B+:B];
   assign mark_o        = marks[32'(lane)*5+:5];
   assign unmarked_o    = unmarked[lane];
   assign texel_o       = word_q[32'(lane)*T+:T];

@@ -34,7 +34,7 @@ module tile_buffer (
   input  logic                                  out_ready_i,
   output logic                                  out_bare_o,    // needs no texel word
   output logic [shadow_pkg::TexelAddrBits-2:0]  out_addr_o,
-  output shadow_pkg::visit_t                    out_o,         // mask: texels visited, of edges too
+  output shadow_pkg::visit_t                    out_o,         // mask: texels visited; a base for each: of edges too
   // the sum of a settled tile
   input  logic                                  sum_valid_i,   // held until sum_ready_o
   output logic                                  sum_ready_o,
@@ -145,6 +145,7 @@ module tile_buffer (
     pending     = 1'b0;
     out_o       = in_i;
     out_o.mask  = passing;
+    {out_o.base3, out_o.base2, out_o.base1, out_o.base0} = bases;
     out_addr_o  = {tile.slot, place};
     if (at_work && announces) begin
       tile_d.mask[texel] = 1'b1;
