@@ -26,7 +26,6 @@ module list_control (
   input  logic                                  own_i,          // that decides, whatever the objects
   input  logic                                  covered_next_i,
   input  logic [shadow_pkg::RecordAddrBits-1:0] first_i,
-  input  logic [shadow_pkg::RecordAddrBits-1:0] first_next_i,
   output logic                                  load_o,
   output logic                                  open_o,         // writes the texel's plane to the spare record
   output logic                                  insert_o,       // the visit's
@@ -34,6 +33,7 @@ module list_control (
   output logic                                  keep_o,         // an overflow's depth
   // records
   input  logic                                  spare_ready_i,
+  input  logic [shadow_pkg::RecordAddrBits-1:0] spare_i,
   input  logic                                  free_valid_i,
   input  logic [shadow_pkg::RecordAddrBits-1:0] free_i,
   input  logic                                  full_memory_i,
@@ -169,7 +169,7 @@ module list_control (
       mode_o        = paper_i ? CoversDrop : Drop;
       state_d       = Walk;
       lookup_o      = 1'b1;
-      lookup_addr_o = first_next_i;
+      lookup_addr_o = insert_o ? spare_i : first_i;
     end
   end
   assign ready_o  = state_q == Idle;

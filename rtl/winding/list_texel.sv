@@ -29,11 +29,10 @@ module list_texel (
   // the texel
   output logic [1:0]                        kind_o,
   output logic                              covered_o,
-  output logic                              covered_next_o,
+  output logic                              covered_next_o,  // of a list
   output logic [shadow_pkg::IdBits-1:0]     object_o,        // of the cover
   output logic [31:0]                       depth_o,
   output logic [shadow_pkg::RecordAddrBits-1:0] first_o,
-  output logic [shadow_pkg::RecordAddrBits-1:0] first_next_o,
   output logic                              changed_o,
   output logic [shadow_pkg::ThresholdBits-1:0] plane_o,      // threshold_t, as long as the texel is a plane
   output logic [shadow_pkg::TexelBits-1:0]  texel_o          // texel_t
@@ -118,11 +117,10 @@ module list_texel (
   end
   assign kind_o         = kind_q;
   assign covered_o      = list_q.covered;
-  assign covered_next_o = list_d.covered;
+  assign covered_next_o = list_q.covered || note_i;
   assign object_o       = object_q;
   assign depth_o        = list_q.cover_depth;
   assign first_o        = list_q.first;
-  assign first_next_o   = list_d.first;
   assign changed_o      = changed_q;
   assign plane_o        = plane;
   assign texel_o        = result;

@@ -101,10 +101,11 @@ module list_walk (
   function automatic logic nearer(input logic [31:0] a, input logic [31:0] b);
     nearer = $signed(a) < $signed(b);
   endfunction
-  logic same_plane, hides, lacks_segments, goes, over;
+  logic same_plane, hides, covers_more, lacks_segments, goes, over;
   assign same_plane = record.threshold == threshold_i && record.object == object_i;
   assign hides      = covered_i && !nearer(nearest_q, cover_depth_i)
                       && (!paper_i || record.object == cover_object_i || !nearer(nearest_q, other_q));
+  assign covers_more = !continued_q && record.full && record.object != cover_object_i && nearer(farthest_q, other_q);
   assign lacks_segments = !record.full && record.count == '0;
   assign goes       = mode_q == Drop ? hides : lacks_segments && record.corner == '0;
 
@@ -132,9 +133,7 @@ module list_walk (
               over    = !found_o;
             end
             Covers, CoversDrop: begin
-              if (!continued_q && record.full && record.object != cover_object_i && nearer(farthest_q, other_q)) begin
-                other_d = farthest_q;
-              end
+              if (covers_more) other_d = farthest_q;
             end
             Drop, Settle: begin
               chain_d = at_i;
@@ -237,7 +236,7 @@ module list_walk (
         Find: missed_o = 1'b1;
         Covers: begin
           mode_d   = Find;
-          hidden_o = !nearer(nearest_i, other_d);
+          hidden_o = covers_more ? !nearer(nearest_i, farthest_q) : !nearer(nearest_i, other_q);
           done_o   = hidden_o || nothing_i;
           lookup_o = !done_o;
         end
@@ -257,8 +256,8 @@ module list_walk (
           freed_o    = 1'b1;
         end
         default: begin  // Count
-          too_long_o = count_d > chain_limit_i;
-          counted_o  = !too_long_o;
+          too_long_o = long_o;  // before this one
+          counted_o  = !long_o;
         end
       endcase
     end

@@ -83,7 +83,7 @@ module silhouette_buffer (
   logic         load, open, insert, spill, keep, behead, next_valid, bare, settled, freed, note;
   logic         covered, covered_next, changed;
   logic [1:0]   kind;
-  logic [A-1:0] first, first_next, next;
+  logic [A-1:0] first, next;
   logic [31:0]  depth, note_depth;
   logic [shadow_pkg::IdBits-1:0]    object, note_object;
   logic [shadow_pkg::TexelBits-1:0] texel;
@@ -94,7 +94,7 @@ module silhouette_buffer (
     .spare_i(spare), .behead_i(behead), .next_valid_i(next_valid), .next_i(next), .bare_i(bare), .settled_i(settled), .spill_i(spill), .overflow_i(freed),
     .note_i(note), .note_depth_i(note_depth), .note_object_i(note_object),
     .kind_o(kind), .covered_o(covered), .covered_next_o(covered_next), .object_o(object), .depth_o(depth),
-    .first_o(first), .first_next_o(first_next), .changed_o(changed), .plane_o(plane),
+    .first_o(first), .changed_o(changed), .plane_o(plane),
     .texel_o(texel)
   );
 
@@ -127,9 +127,9 @@ module silhouette_buffer (
     .start_kind_i(texel_in.kind), .start_covered_i(list_in.covered),
     .start_absent_i(unmarked_i && records_o < chain_limit_i), .start_first_i(list_in.first),
     .kind_i(kind), .behind_i(covered && $signed(visit_nearest) >= $signed(depth)),
-    .own_i(!paper_i || object == object_i), .covered_next_i(covered_next), .first_i(first), .first_next_i(first_next),
+    .own_i(!paper_i || object == object_i), .covered_next_i(covered_next), .first_i(first),
     .load_o(load), .open_o(open), .insert_o(insert), .spill_o(spill), .keep_o(keep),
-    .spare_ready_i(spare_ready), .free_valid_i(free_valid), .free_i(free), .full_memory_i(full_memory), .take_o(take),
+    .spare_ready_i(spare_ready), .spare_i(spare), .free_valid_i(free_valid), .free_i(free), .full_memory_i(full_memory), .take_o(take),
     .hit_i, .written_i(written), .lookup_o(lookup), .lookup_addr_o(lookup_addr),
     .begin_o(begins), .mode_o(mode), .walk_o(walks), .long_i(long_list), .found_i(found), .missed_i(missed),
     .walk_done_i(walk_done), .settled_i(settled), .freed_i(freed), .counted_i(counted), .too_long_i(too_long),

@@ -73,7 +73,7 @@ module tile_buffer (
   shadow_pkg::tile_t tile_d, tile_q, data, tile;
 
   logic        begins, announces, edge_visit, at_work, change, settled_back, mem_done, keep_done;
-  logic [3:0]  texels, in_mask, masked, passing;
+  logic [3:0]  texels, masked, passing;
   assign begins     = in_i.kind == shadow_pkg::VisitBegin;
   assign edge_visit = in_i.kind == shadow_pkg::VisitEdge;
   assign announces  = in_i.kind == VisitTile && !settling_i;
@@ -94,35 +94,44 @@ module tile_buffer (
 
   // ---- Receiver mask ----------------------------------------------------------------------------
   // Nearest depth at or beyond the last fragment: base * 2^Step - half - 1 >= last.
-  logic [27:0]           least;
+  logic [28:0]           least;
   logic signed [B-1:0]   limit;
   logic [5:0]            texel;
-  assign least  = 28'(tile.last) + 28'(half_q) + 28'd1;
-  assign limit  = $signed(B'((30'(least) + 30'((1 << Step) - 1)) >> Step));
+  logic [3:0]            in_mask, received;  // a fragment lies there; and the visit
+  assign least  = 29'(tile.last) + 29'(half_q) + 29'(1 << Step);
+  assign limit  = $signed(B'(least >> Step));
   assign texel  = {in_i.y[2:0], in_i.x[2:0]};
   assign texels = edge_visit ? 4'd1 << in_i.x[1:0] : in_i.mask;
-  assign in_mask = tile.mask[{texel[5:2], 2'd0}+:4];
-
-  logic signed [B-1:0] low01, low23, lowest;
-  logic [4*B-1:0]      kept;  // bases of the texels that pass, as far as can be for the others
-  localparam logic [B-1:0] Farthest = {1'b0, {(B-1){1'b1}}};
+  assign in_mask  = tile.mask[{texel[5:2], 2'd0}+:4];
+  assign received = texels & (in_mask | {4{!skip_masked_i}});
+  assign bases    = edge_visit ? {4{in_i.base0}} : body;
   always_comb begin
     for (int i = 0; i < 4; i++) begin
-      masked[i] = texels[i] && skip_masked_i
-                  && (!in_mask[i] || (!steep_q && $signed(bases[i*B+:B]) >= limit));
-      kept[i*B+:B] = passing[i] ? bases[i*B+:B] : Farthest;
+      passing[i] = received[i] && !(skip_masked_i && !steep_q && $signed(bases[i*B+:B]) >= limit);
     end
   end
-  assign bases   = edge_visit ? {4{in_i.base0}} : body;
-  assign passing = texels & ~masked;
+  assign masked = texels & ~passing;
 
   // ---- Nearest depth ----------------------------------------------------------------------------
-  function automatic logic signed [B-1:0] lower(input logic signed [B-1:0] a, input logic signed [B-1:0] b);
-    lower = a < b ? a : b;
-  endfunction
-  assign low01  = lower($signed(kept[B-1:0]), $signed(kept[2*B-1:B]));
-  assign low23  = lower($signed(kept[3*B-1:2*B]), $signed(kept[4*B-1:3*B]));
-  assign lowest = lower(low01, low23);
+  // The nearest of those that pass is the nearest of those received, or none passes. All pairs are compared beside
+  // each other: bit 4 j + i of `behind` says that texel j does not lie before texel i.
+  logic [B-1:0] lowest;
+  logic [3:0]   nearest_of;
+  logic [15:0]  behind;
+  always_comb begin
+    behind = '0;
+    for (int j = 1; j < 4; j++) begin
+      for (int i = 0; i < j; i++) begin
+        behind[4*j+i] = $signed(bases[j*B+:B]) >= $signed(bases[i*B+:B]);
+        behind[4*i+j] = !behind[4*j+i];
+      end
+    end
+    lowest = '0;
+    for (int j = 0; j < 4; j++) begin
+      nearest_of[j] = received[j] && (behind[4*j+:4] & received) == '0;
+      lowest = lowest | (bases[j*B+:B] & {B{nearest_of[j]}});
+    end
+  end
   logic [31:0] nearest, farthest_unused;
   logic [24:0] nearest_clamped;
   plane_bounds bounds (
