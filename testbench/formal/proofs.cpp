@@ -108,7 +108,7 @@ Verdict run_proof(const Proof& proof, std::size_t package, const BrokenCopy* bro
   verdict.log = (folder / "abc.log").string();
   const std::string yosys_log = (folder / "yosys.log").string();
   const ProcessResult made =
-      run_process({yosys, "-q", "prove.ys"}, folder.string(), yosys_log, limit_s);
+      run_process({yosys, "-q", "prove.ys"}, folder.string(), yosys_log, 10 * limit_s);
   if (made.status != 0) {
     throw UserError("Yosys on " + proof.name + "_proof",
                     made.timed_out ? "took too long" : read_file(yosys_log), "see " + yosys_log);
@@ -118,7 +118,7 @@ Verdict run_proof(const Proof& proof, std::size_t package, const BrokenCopy* bro
                                  : fmt::format("pdr -T {:.0f}", limit_s);
   const std::string commands = "read_aiger proof.aig; fold; orpos; strash; " + search;
   const ProcessResult searched =
-      run_process({abc, "-c", commands}, folder.string(), verdict.log, limit_s + 30);
+      run_process({abc, "-c", commands}, folder.string(), verdict.log, 10 * limit_s);
   verdict.seconds = made.seconds + searched.seconds;
   const std::string words = read_file(verdict.log);
   const std::string all_frames = fmt::format("No output asserted in {} frames", proof.pipeline + 1);

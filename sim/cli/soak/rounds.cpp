@@ -85,6 +85,15 @@ Timing draw_quick_timing(Dice& dice) {
   return timing;
 }
 
+/// Other widths are another build of the Verilog, so each shape holds for many frames: as it is
+/// configured, then with more lanes and, once, a finer grid of segments' ends.
+void draw_shape(std::uint64_t number, UnitConfig& config) {
+  constexpr std::uint64_t kFrames = 40;
+  const std::uint64_t shape = number / kFrames % 4;
+  if (shape > 0) config.lanes = 1 + static_cast<std::int64_t>(shape);
+  if (shape == 2 && config.profile == Profile::kWinding) config.end_guard_bits = 4;
+}
+
 void add_differences(std::uint64_t count, const std::string& what, LockStepResult& result) {
   result.verdict_differences += count;
   if (count == 0 || result.first) return;
@@ -127,6 +136,7 @@ Round draw_round(const RoundPlan& plan, std::uint64_t seed, std::uint64_t number
   round.config.profile = profile;
   // The set's first lap is as a person would run it.
   if ((number % 2 == 1 || lap > 0) && !dice.one_in(4)) draw_registers(dice, round.config);
+  draw_shape(number, round.config);
   round.config.map_width = round.trace.header.map_width;
   round.config.map_height = round.trace.header.map_height;
   round.setup = stress::frame_setup(round.trace, {round.config, hints});
