@@ -12,6 +12,7 @@ void LineCache::reset(unsigned lines, bool fold) {
   keys_.assign(lines, 0);
   busy_count_ = 0;
   std::memset(&r_, 0, sizeof r_);
+  lookup_set_ = hint_set_ = 0;
   settle();
 }
 
@@ -30,10 +31,13 @@ unsigned LineCache::set_of(Address address) const {
 
 /// Which way holds the looked-up word, or will take it; the same for the hint.
 void LineCache::settle() {
-  lookup_set_ = set_of(r_.lookup_address);
-  hint_set_ = set_of(r_.hint_address);
+  hit_ = present_ = lookup_free_ = hint_done_ = hint_free_ = false;
+  if (r_.lookup) settle_lookup();
+  if (r_.hint) settle_hint();
+}
+
+void LineCache::settle_lookup() {
   const Line* const looked = &lines_[2 * lookup_set_];
-  present_ = lookup_free_ = false;
   lookup_way_ = r_.turn;
   for (unsigned way = 0; way < 2; ++way) {
     if (looked[way].busy) continue;
@@ -50,10 +54,11 @@ void LineCache::settle() {
     }
   }
   if (r_.forward) lookup_way_ = r_.forward_way;
-  hit_ = r_.lookup && (r_.forward || (!r_.raced && present_ && !looked[lookup_way_].busy));
+  hit_ = r_.forward || (!r_.raced && present_ && !looked[lookup_way_].busy);
+}
 
+void LineCache::settle_hint() {
   const Line* const hinted = &lines_[2 * hint_set_];
-  hint_done_ = hint_free_ = false;
   done_way_ = 0;
   hint_way_ = r_.turn;
   for (unsigned way = 0; way < 2; ++way) {
@@ -109,74 +114,80 @@ bool LineCache::takes_hint(const Fill& fill) const {
 
 void LineCache::step(const Inputs& in) {
   lookups_ += in.lookup;
+  unchanged_ = !(r_.lookup || r_.hint || r_.read || r_.write || in.lookup || in.hint || in.update ||
+                 in.response);
+  if (unchanged_) return;
   const Registers before = r_;
-  Registers next = r_;
   const Fill fills = fill(in);
-  const bool hint_taken = takes_hint(fills);
+  const bool hint_taken = takes_hint(fills), read_taken = reads() && in.read_ready;
   const bool moves = in.update && !in_place(in.update_address);
   const bool claims = in.update && !moves && !hit_;
-  const unsigned update_set = set_of(in.update_address);
+  const unsigned update_set = !in.update ? 0 : moves ? set_of(in.update_address) : lookup_set_;
   const unsigned update_way = moves ? 0 : lookup_way_, update_line = 2 * update_set + update_way;
   const Address fill_address = fills.lookup ? r_.lookup_address : r_.hint_address;
   const unsigned fill_line = fills.lookup ? 2 * lookup_set_ + lookup_way_ : 2 * hint_set_ + hint_way_;
   const bool key_write = moves || claims || fills.any();
   const unsigned key_line = in.update && !fills.any() ? update_line : fill_line;
   const bool kept = in.response && lines_[in.response_line].valid;
-  bool changed = in.update || fills.any() || in.response;
-
-  const bool reading = in.lookup || (r_.lookup && (!hit_ || in.update));
-  if (reading) {
-    const Address address = in.lookup ? in.lookup_address : r_.lookup_address;
-    const unsigned set = set_of(address);
-    next.lookup_keys[0] = keys_[2 * set];
-    next.lookup_keys[1] = keys_[2 * set + 1];
-    next.forward = in.update && in.update_address == address;
-    next.forward_way = update_way != 0;
-    next.raced = (in.update && update_set == set) || (kept && in.response_line / 2 == set) ||
-                 (key_write && key_line / 2 == set);
-  }
-  const unsigned hint_read_set = hint_taken ? set_of(in.hint_address) : hint_set_;
-  next.hint_keys[0] = keys_[2 * hint_read_set];
-  next.hint_keys[1] = keys_[2 * hint_read_set + 1];
-  next.hint_raced = key_write && key_line / 2 == hint_read_set;
-
-  next.turn = r_.turn != fills.any();
-  if (in.lookup) {
-    next.met = in.lookup_address == r_.lookup_address && (r_.met || hit_);
-    next.lookup_address = in.lookup_address;
-    next.is_new = in.lookup_new;
-  } else if (hit_) {
-    next.met = true;
-  }
-  next.lookup = in.lookup || (r_.lookup && !in.lookup_end);
-  next.hint = hint_taken ? in.hint && !(r_.hinting && in.hint_address == r_.hint_address) : true;
-  if (in.hint && hint_taken) {
-    next.hint_address = in.hint_address;
-    next.hint_weak = in.hint_weak;
-  }
-  next.hinting = r_.hinting || in.hint;
-  next.read = fills.any() || (r_.read && !(reads() && in.read_ready));
-  next.write = in.update || (r_.write && !in.write_ready);
-  if (fills.any()) {
-    next.read_address = fill_address;
-    next.read_line = static_cast<std::uint8_t>(fill_line);
-  }
-  if (in.update) next.write_address = in.update_address;
-
-  // ---- Lines ----
   const unsigned hint_line = 2 * hint_set_ + done_way_, lookup_line = 2 * lookup_set_ + lookup_way_;
   const bool again = r_.hint && hint_done_ && !r_.hint_weak, met = hit_ && !r_.met;
-  if (again && !(met && hint_line == lookup_line)) {
-    Line& line = lines_[hint_line];
-    line.again = line.hinted;
-    line.hinted = true;
-    changed = true;
+  const bool hints_again = again && !(met && hint_line == lookup_line);
+  const bool meets = met && !(again && hint_line == lookup_line);
+  unchanged_ = !(in.update || fills.any() || in.response || hints_again || meets);
+
+  // ---- Registers ----
+  if (in.lookup) {
+    r_.met = in.lookup_address == r_.lookup_address && (r_.met || hit_);
+    r_.is_new = in.lookup_new;
+  } else if (hit_) {
+    r_.met = true;
   }
-  if (met && !(again && hint_line == lookup_line)) {
-    Line& line = lines_[lookup_line];
-    line.hinted = line.again;
-    line.again = false;
-    changed = true;
+  if (in.lookup || (r_.lookup && (!hit_ || in.update))) {
+    if (in.lookup && in.lookup_address != r_.lookup_address) {
+      r_.lookup_address = in.lookup_address;
+      lookup_set_ = set_of(in.lookup_address);
+    }
+    const unsigned set = lookup_set_;
+    r_.lookup_keys[0] = keys_[2 * set];
+    r_.lookup_keys[1] = keys_[2 * set + 1];
+    r_.forward = in.update && in.update_address == r_.lookup_address;
+    r_.forward_way = update_way != 0;
+    r_.raced = (in.update && update_set == set) || (kept && in.response_line / 2 == set) ||
+               (key_write && key_line / 2 == set);
+  }
+  r_.lookup = in.lookup || (r_.lookup && !in.lookup_end);
+  const bool repeats = r_.hinting && in.hint_address == r_.hint_address;
+  r_.hint = hint_taken ? in.hint && !repeats : true;
+  if (in.hint && hint_taken) {
+    r_.hint_weak = in.hint_weak;
+    if (in.hint_address != r_.hint_address) {
+      r_.hint_address = in.hint_address;
+      hint_set_ = set_of(in.hint_address);
+    }
+  }
+  r_.hinting = r_.hinting || in.hint;
+  if (r_.hint) {
+    r_.hint_keys[0] = keys_[2 * hint_set_];
+    r_.hint_keys[1] = keys_[2 * hint_set_ + 1];
+    r_.hint_raced = key_write && key_line / 2 == hint_set_;
+  }
+  r_.turn = r_.turn != fills.any();
+  r_.read = fills.any() || (r_.read && !read_taken);
+  r_.write = in.update || (r_.write && !in.write_ready);
+  if (fills.any()) {
+    r_.read_address = fill_address;
+    r_.read_line = static_cast<std::uint8_t>(fill_line);
+  }
+  if (in.update) r_.write_address = in.update_address;
+
+  // ---- Lines ----
+  if (hints_again) {
+    lines_[hint_line].again = lines_[hint_line].hinted;
+    lines_[hint_line].hinted = true;
+  }
+  if (meets) {
+    lines_[lookup_line].hinted = lines_[lookup_line].again;
+    lines_[lookup_line].again = false;
   }
   if (in.response) {
     lines_[in.response_line].busy = false;
@@ -188,12 +199,11 @@ void LineCache::step(const Inputs& in) {
     if (moves || claims) lines_[update_line].hinted = lines_[update_line].again = false;
   }
   if (fills.any()) {
-    lines_[fill_line] = {true, true, fills.hint && !r_.hint_weak, false};
+    lines_[fill_line] = {true, true, fills.hint && !before.hint_weak, false};
     ++busy_count_;
   }
   if (key_write) keys_[key_line] = in.update && !fills.any() ? in.update_address : fill_address;
-  r_ = next;
-  unchanged_ = !changed && std::memcmp(&before, &next, sizeof next) == 0;
+  unchanged_ = unchanged_ && std::memcmp(&before, &r_, sizeof r_) == 0;
   settle();
 }
 

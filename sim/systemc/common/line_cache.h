@@ -74,6 +74,8 @@ class LineCache : public sc_core::sc_module {
   Fill fill(const Inputs& in) const;
   bool takes_hint(const Fill& fill) const;
   void settle();
+  void settle_lookup();
+  void settle_hint();
 
   unsigned set_bits_ = 0;
   bool fold_ = false;

@@ -49,10 +49,10 @@ class RecordLinks {
     const bool before = asked_;
     asked_ = hints && in.hint_ready;
     asked_address_ = hinted;
-    link_ = links_[hinted % links_.size()];
+    link_ = links_[hinted & (links_.size() - 1)];
     if (in.learn) {
       const SlbRecord& r = in.known;
-      links_[in.learn_address % links_.size()] = {r.has_next || r.has_more, in.learn_address,
+      links_[in.learn_address & (links_.size() - 1)] = {r.has_next || r.has_more, in.learn_address,
                                                   r.has_next ? r.next : r.more};
     }
     const bool was_empty = queue_.empty();

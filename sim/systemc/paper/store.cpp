@@ -163,7 +163,6 @@ bool Store::step(const Operation* offered, bool begins) {
   const bool busy = walk_.busy(), first = busy && walk_.first();
   const bool texel_hit = texels.cache.hit();
   bool fire = false, last = false, look = false, look_new = false, emptied = false, acts = false;
-  Operation of_emptied;
   RecordLinks::Inputs link;
   cause_ = StoreCause::kInput;
   if (busy) {
@@ -186,17 +185,13 @@ bool Store::step(const Operation* offered, bool begins) {
     const bool writes = s.act && s.write && texel_ready;
     link.learn = writes ? record_ready : records.cache.hit();
     link.learn_address = writes ? s.write_address : walk_.at();
-    link.known = writes ? walk_.written() : walk_.record(walk_.at());
+    if (link.learn) link.known = writes ? walk_.written() : walk_.record(walk_.at());
     if (texel.update && (s.set_edge || s.stored)) {
       const unsigned bit = 1u << walk_.texel();
       std::uint8_t& flags = edges_[o.word];
       flags = static_cast<std::uint8_t>(s.stored || s.edge_flag ? flags | bit : flags & ~bit);
     }
     emptied = fire && s.emptied;
-    if (emptied) {
-      of_emptied = o;
-      of_emptied.kind = Operation::kEmptied;
-    }
     cause_ = last ? (o.kind == Operation::kEdge   ? StoreCause::kEdge
                      : o.kind == Operation::kSpan ? StoreCause::kSpan
                                                   : StoreCause::kOther)
@@ -232,7 +227,7 @@ bool Store::step(const Operation* offered, bool begins) {
   const bool taken = offered != nullptr && coming_.ready();
   const bool hints = hint_emptied && hints_ready;
   const bool enter = coming_.valid() && visits_.ready() && hints_ready && !hint_emptied;
-  const Operation entering = enter ? coming_.front() : Operation{};
+  const Operation& entering = coming_.front();  // if any enters
   const Operation* const hinted = hints ? &emptied_.front() : &entering;
   texel.hint = hints || (enter && entering.kind != Operation::kEdgesDone);
   const bool visit_hint = hints || (enter && entering.kind == Operation::kEdge);
@@ -273,13 +268,16 @@ bool Store::step(const Operation* offered, bool begins) {
   const bool closing = enter && entering.kind == Operation::kEdgesDone;
   closing_ += closing;
   closing_ -= take_visit && edges_done;
-  const Operation started = start ? *next : Operation{};
-  const Operation listed = hints ? emptied_.front() : Operation{};
+  Operation of_emptied;
+  if (emptied) {
+    of_emptied = walk_.operation();
+    of_emptied.kind = Operation::kEmptied;
+  }
   if (fire) walk_.fire();
-  if (start) walk_.start(started);
+  if (start) walk_.start(*next);
   changed |= visits_.step(enter ? &entering : nullptr, take_visit);
   changed |= coming_.step(taken && !begins ? offered : nullptr, enter);
-  changed |= soon_.step(hints ? &listed : nullptr, take_emptied);
+  changed |= soon_.step(hints ? &emptied_.front() : nullptr, take_emptied);
   changed |= emptied_.step(emptied ? &of_emptied : nullptr, hints);
   texels.step(texel);
   records.step(record);
