@@ -82,26 +82,21 @@ module line_cache #(
     set_of_line = SetBits'(line >> (Ways - 1));
   endfunction
 
-  // A line: valid and not busy: holds a word; busy: a read is under way, whose word is kept if valid.
-  logic [Lines-1:0] valid_q, busy_q, valid_d, busy_d;
-  logic [Lines-1:0] updated_q;           // the word is in the memory of updates
-  logic [Lines-1:0] hinted_q, again_q;   // a lookup is still to come, and another one
-  logic [Lines-1:0] awaited;
+  logic [Lines-1:0]    valid, busy, updated, awaited;  // line_flags
 
   logic                lookup_valid_q, new_q, met_q, hint_valid_q, hint_weak_q, hint_raced_q, hinting_q;
   logic                rd_valid_q, wr_valid_q, turn_q;  // which way the next choice among equals takes
-  // Of the cycle before: was there an update, did it take a line, moving; a response; a fill; a reading.
-  logic                updated_now_q, taken_q, moved_q, came_q, filled_q, read_q;
+  logic                update_q, came_q, filled_q, read_q;  // of the cycle before: an update, a response, ..
   logic                forward, forward_way, raced, forward_q, forward_way_q, raced_q;
   logic [AddrBits-1:0] lookup_q, hint_q, rd_addr_q, wr_addr_q;
   logic [SetBits-1:0]  lookup_set, hint_set;  // of lookup_q, hint_q
   logic [SetBits-1:0]  came_set_q, filled_set_q;
-  logic [LineBits-1:0] rd_line_q, update_line_q;
+  logic [LineBits-1:0] rd_line_q, update_line_q;  // update_line_q: of update_q
   logic [Width-1:0]    wr_data_q;
 
-  logic [AddrBits-1:0] read_addr, fill_addr;
+  logic [AddrBits-1:0] fill_addr;
   logic [SetBits-1:0]  read_set, update_set, hint_read_set, fill_set;
-  logic [LineBits-1:0] lookup_line, hint_line, update_line, fill_line, rsp_line;
+  logic [LineBits-1:0] lookup_line, update_line, fill_line, rsp_line;
   logic [Ways*KeyBits-1:0] lookup_keys, hint_keys;
   logic [Ways*Width-1:0]   filled_words, updated_words;
   logic [Width-1:0]    word;
@@ -113,13 +108,10 @@ module line_cache #(
   assign update_set = set_of(update_addr_i);
   assign rsp_line   = rsp_tag_i[LineBits-1:0];
 
-  // A hint of a line without a word says nothing: it is undefined at first.
-  assign awaited = valid_q & hinted_q;
-
   // What was read in the cycle before: is it the word of that cycle's update, or has its set changed?
-  assign forward     = read_q ? updated_now_q && wr_addr_q == lookup_q : forward_q;
+  assign forward     = read_q ? update_q && wr_addr_q == lookup_q : forward_q;
   assign forward_way = read_q ? Ways == 2 && update_line_q[0] : forward_way_q;
-  assign raced       = read_q ? (updated_now_q && set_of_line(update_line_q) == lookup_set)
+  assign raced       = read_q ? (update_q && set_of_line(update_line_q) == lookup_set)
                                 || (came_q && came_set_q == lookup_set) || (filled_q && filled_set_q == lookup_set)
                               : raced_q;
 
@@ -130,8 +122,8 @@ module line_cache #(
     lookup_way  = Ways == 2 && turn_q;
     // The one that no hint needs, if there is one.
     for (int unsigned w = 0; w < Ways; w++) begin
-      settled[w] = !busy_q[line_of(lookup_set, 1'(w))];
-      match[w]   = valid_q[line_of(lookup_set, 1'(w))] && lookup_keys[w*KeyBits +: KeyBits] == lookup_q[AddrBits-1:SetBits];
+      settled[w] = !busy[line_of(lookup_set, 1'(w))];
+      match[w]   = valid[line_of(lookup_set, 1'(w))] && lookup_keys[w*KeyBits +: KeyBits] == lookup_q[AddrBits-1:SetBits];
       if (settled[w] && (!lookup_free
           || (awaited[line_of(lookup_set, lookup_way)] && !awaited[line_of(lookup_set, 1'(w))])
           || (awaited[line_of(lookup_set, lookup_way)] == awaited[line_of(lookup_set, 1'(w))] && turn_q))) begin
@@ -139,7 +131,7 @@ module line_cache #(
         lookup_way  = 1'(w);
       end
       if (w == 0 || match[w]) begin  // without a match it is not looked at
-        word = updated_q[line_of(lookup_set, 1'(w))] ? updated_words[w*Width +: Width] : filled_words[w*Width +: Width];
+        word = updated[line_of(lookup_set, 1'(w))] ? updated_words[w*Width +: Width] : filled_words[w*Width +: Width];
       end
     end
     present = match != '0;
@@ -151,8 +143,7 @@ module line_cache #(
   assign data_o      = forward ? wr_data_q : word;
   // Read again until it is there, and after each update: it may be of this word, or take its line.
   assign reading   = lookup_i || (lookup_valid_q && (!hit_o || updating));
-  assign read_addr = lookup_i ? lookup_addr_i : lookup_q;
-  assign read_set  = set_of(read_addr);
+  assign read_set  = lookup_i ? set_of(lookup_addr_i) : lookup_set;  // which of the two is known last
 
   // ---- Hint: a way that no other hint needs; while there is no lookup, any ---------------------
   always_comb begin
@@ -161,13 +152,13 @@ module line_cache #(
     hint_free = 1'b0;
     hint_way  = Ways == 2 && turn_q;
     for (int unsigned w = 0; w < Ways; w++) begin
-      if (valid_q[line_of(hint_set, 1'(w))] && hint_keys[w*KeyBits +: KeyBits] == hint_q[AddrBits-1:SetBits]
+      if (valid[line_of(hint_set, 1'(w))] && hint_keys[w*KeyBits +: KeyBits] == hint_q[AddrBits-1:SetBits]
           && !hint_raced_q) begin
         hint_done = 1'b1;
         done_way  = 1'(w);
       end
       // The lookup's set is left alone by hints: what it reads now, it will write.
-      if (!busy_q[line_of(hint_set, 1'(w))] && (!lookup_valid_q || (lookup_set != hint_set
+      if (!busy[line_of(hint_set, 1'(w))] && (!lookup_valid_q || (lookup_set != hint_set
           && !awaited[line_of(hint_set, 1'(w))]))
           && !(hint_free && hint_way == turn_q)) begin
         hint_free = 1'b1;
@@ -191,7 +182,6 @@ module line_cache #(
   assign fill_line   = line_of(fill_set, fill_way);
 
   assign hint_again  = hint_valid_q && hint_done && !hint_weak_q;
-  assign hint_line   = line_of(hint_set, done_way);
   assign met_now     = hit_o && !met_q;
 
   // It is read again while it waits.
@@ -200,13 +190,13 @@ module line_cache #(
   // ---- Update -------------------------------------------------------------------------------
   // Of the word that is looked up it is known where it is, or where it may go. Of another one it is
   // not: it takes way 0, and the other way gives its word up.
-  assign keep_rsp       = rsp_valid_i && valid_q[rsp_line];
+  assign keep_rsp       = rsp_valid_i && valid[rsp_line];
   assign new_ready      = lookup_valid_q && new_q && !forward && !raced && !present && lookup_free;
   assign in_place       = (hit_o || new_ready) && update_addr_i == lookup_q;
   assign update_ready_o = (!wr_valid_q || wr_ready_i)
                           && ((hit_o && in_place)
-                              || (!fill_hint && !(Ways == 2 && fill_lookup) && (in_place || (!busy_q[line_of(update_set, 1'b0)]
-                                  && !busy_q[line_of(update_set, 1'b1)]))));
+                              || (!fill_hint && !(Ways == 2 && fill_lookup) && (in_place || (!busy[line_of(update_set, 1'b0)]
+                                  && !busy[line_of(update_set, 1'b1)]))));
   assign updating       = update_i && update_ready_o;
   assign moving         = updating && !in_place;
   assign claiming       = updating && in_place && new_ready;
@@ -239,28 +229,18 @@ module line_cache #(
     );
   end
 
-  always_comb begin
-    valid_d = valid_q;
-    busy_d  = busy_q;
-    if (rsp_valid_i) busy_d[rsp_line] = 1'b0;
-    if (moved_q && Ways == 2) valid_d[line_of(set_of_line(update_line_q), 1'b1)] = 1'b0;
-    if (updated_now_q) valid_d[update_line_q] = 1'b1;
-    if (fill) begin
-      valid_d[fill_line] = 1'b1;
-      busy_d[fill_line]  = 1'b1;
-    end
-    // Dropped requests were never sent: nothing will come back for them.
-    if (clear_i) begin
-      valid_d = '0;
-      if (fill) busy_d[fill_line] = 1'b0;
-      if (rd_valid_q && !(rd_valid_o && rd_ready_i)) busy_d[rd_line_q] = 1'b0;
-    end
-  end
+  line_flags #(.Lines(Lines), .Ways(Ways)) flags (
+    .clk_i, .rst_ni, .clear_i, .unsent_i(rd_valid_q && !(rd_valid_o && rd_ready_i)), .unsent_line_i(rd_line_q),
+    .hint_i(hint_again), .hint_line_i(line_of(hint_set, done_way)), .met_i(met_now), .met_line_i(lookup_line),
+    .came_i(rsp_valid_i), .came_line_i(rsp_line),
+    .update_i(updating), .update_line_i(update_line), .take_i(taking), .move_i(moving),
+    .fill_i(fill), .fill_line_i(fill_line), .fill_hinted_i(fill_hint && !hint_weak_q),
+    .valid_o(valid), .busy_o(busy), .updated_o(updated), .awaited_o(awaited),
+    .update_o(update_q), .update_line_o(update_line_q)
+  );
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      valid_q        <= '0;
-      busy_q         <= '0;
       lookup_valid_q <= 1'b0;
       hint_valid_q   <= 1'b0;
       hinting_q      <= 1'b0;
@@ -268,45 +248,31 @@ module line_cache #(
       wr_valid_q     <= 1'b0;
       turn_q         <= 1'b0;
       met_q          <= 1'b0;
-      updated_now_q  <= 1'b0;
     end else begin
-      updated_now_q <= updating && !clear_i;
-      turn_q  <= !clear_i && (turn_q ^ fill);
+      turn_q         <= !clear_i && (turn_q ^ fill);
       // As hints do, lookups of one word that follow each other count once.
-      if (clear_i) met_q <= 1'b0;
-      else if (lookup_i) met_q <= lookup_addr_i == lookup_q && (met_q || hit_o);
-      else if (hit_o) met_q <= 1'b1;
-      valid_q <= valid_d;
-      busy_q  <= busy_d;
-      if (clear_i) begin
-        lookup_valid_q <= 1'b0;
-        hint_valid_q   <= 1'b0;
-        hinting_q      <= 1'b0;
-        rd_valid_q     <= 1'b0;
-        wr_valid_q     <= 1'b0;
-      end else begin
-        lookup_valid_q <= lookup_i || (lookup_valid_q && !lookup_end_i);
-        hint_valid_q   <= hint_ready_o ? hint_valid_i && !(hinting_q && hint_addr_i == hint_q) : 1'b1;
-        hinting_q      <= hinting_q || hint_valid_i;
-        rd_valid_q     <= fill || (rd_valid_q && !(rd_valid_o && rd_ready_i));
-        wr_valid_q     <= updating || (wr_valid_q && !wr_ready_i);
-      end
-      `CHECK(response_was_asked_for, !rsp_valid_i || busy_q[rsp_line])
+      met_q          <= !clear_i && (met_q || hit_o) && (!lookup_i || lookup_addr_i == lookup_q);
+      lookup_valid_q <= !clear_i && (lookup_i || (lookup_valid_q && !lookup_end_i));
+      hint_valid_q   <= !clear_i && (!hint_ready_o || (hint_valid_i && !(hinting_q && hint_addr_i == hint_q)));
+      hinting_q      <= !clear_i && (hinting_q || hint_valid_i);
+      rd_valid_q     <= !clear_i && (fill || (rd_valid_q && !(rd_valid_o && rd_ready_i)));
+      wr_valid_q     <= !clear_i && (updating || (wr_valid_q && !wr_ready_i));
       `CHECK(response_has_a_line, !rsp_valid_i || rsp_tag_i == TagBits'(rsp_line))
     end
   end
 
   always_ff @(posedge clk_i) begin
-    if (lookup_i) lookup_q <= lookup_addr_i;
-    if (lookup_i) lookup_set <= read_set;
-    if (hint_valid_i && hint_ready_o) hint_set <= hint_read_set;
-    if (lookup_i) new_q <= lookup_new_i;
-    if (hint_valid_i && hint_ready_o) hint_q <= hint_addr_i;
-    if (hint_valid_i && hint_ready_o) hint_weak_q <= hint_weak_i;
-    hint_raced_q <= (taking && update_set == hint_read_set) || (fill && fill_set == hint_read_set);
-    taken_q       <= taking;
-    moved_q       <= moving && !clear_i;
-    update_line_q <= update_line;
+    if (lookup_i) begin
+      lookup_q   <= lookup_addr_i;
+      lookup_set <= read_set;
+      new_q      <= lookup_new_i;
+    end
+    if (hint_valid_i && hint_ready_o) begin
+      hint_q      <= hint_addr_i;
+      hint_set    <= hint_read_set;
+      hint_weak_q <= hint_weak_i;
+    end
+    hint_raced_q  <= (taking && update_set == hint_read_set) || (fill && fill_set == hint_read_set);
     if (fill) begin
       rd_addr_q <= fill_addr;
       rd_line_q <= fill_line;
@@ -323,33 +289,10 @@ module line_cache #(
     forward_q     <= forward;
     forward_way_q <= forward_way;
     raced_q       <= raced;
-    if (hint_again && !(met_now && hint_line == lookup_line)) begin
-      again_q[hint_line]  <= hinted_q[hint_line];
-      hinted_q[hint_line] <= 1'b1;
-    end
-    if (met_now && !(hint_again && hint_line == lookup_line)) begin
-      hinted_q[lookup_line] <= again_q[lookup_line];
-      again_q[lookup_line]  <= 1'b0;
-    end
-    if (updated_now_q) begin
-      updated_q[update_line_q] <= 1'b1;
-      if (taken_q) begin
-        hinted_q[update_line_q] <= 1'b0;
-        again_q[update_line_q]  <= 1'b0;
-      end
-    end
-    if (fill) begin
-      updated_q[fill_line] <= 1'b0;
-      hinted_q[fill_line]  <= fill_hint && !hint_weak_q;
-      again_q[fill_line]   <= 1'b0;
-    end
   end
 
   assign rd_valid_o = rd_valid_q && !(wr_valid_q && wr_addr_q == rd_addr_q);
-  assign rd_addr_o  = rd_addr_q;
-  assign rd_tag_o   = TagBits'(rd_line_q);
-  assign wr_valid_o = wr_valid_q;
-  assign wr_addr_o  = wr_addr_q;
-  assign wr_data_o  = wr_data_q;
-  assign idle_o     = !hint_valid_q && !rd_valid_q && !wr_valid_q && busy_q == '0;
+  assign {rd_addr_o, rd_tag_o} = {rd_addr_q, TagBits'(rd_line_q)};
+  assign {wr_valid_o, wr_addr_o, wr_data_o} = {wr_valid_q, wr_addr_q, wr_data_q};
+  assign idle_o     = !hint_valid_q && !rd_valid_q && !wr_valid_q && busy == '0;
 endmodule

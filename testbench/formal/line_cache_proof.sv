@@ -4,7 +4,7 @@
 // write replaces; a tag is not used again while its response is due. One way, two lines.
 //
 // broken: line_cache.sv: `.write_data_i(update_data_i)` => `.write_data_i(rsp_data_i)`
-// broken: line_cache.sv: `(!raced_q && present` => `(present`
+// broken: line_cache.sv: `(!raced && (match` => `((match`
 // broken: line_cache.sv: `&& (in_place ||` => `&& (1'b1 ||`
 // broken: line_cache.sv: `rd_valid_q && !(wr_valid_q && wr_addr_q == rd_addr_q)` => `rd_valid_q`
 module line_cache_proof (
