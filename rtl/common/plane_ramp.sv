@@ -12,8 +12,8 @@ module plane_ramp #(
   input  logic                 load_i,     // take the start instead of the present value
   input  logic [WholeBits-1:0] whole_i,    // start
   input  logic [RestBits-1:0]  rest_i,
-  input  logic                 move_x_i,   // by one texel along x
-  input  logic                 move_y_i,   // or along y, never both
+  input  logic                 move_i,     // by one texel; may come late
+  input  logic                 along_y_i,  // not along x
   input  logic                 back_i,     // down instead of up
   input  logic [WholeBits-1:0] x_whole_i,  // steps, and base; constant between a load and the last move
   input  logic [RestBits-1:0]  x_rest_i,
@@ -26,13 +26,12 @@ module plane_ramp #(
   logic [WholeBits-1:0] whole_q, from_whole, step_whole, up, up_one;
   logic [RestBits-1:0]  rest_q, from_rest, step_rest;
   logic [RestBits+1:0]  from, step, base, carries, sum, wrapped;  // signed
-  logic                 move, wraps;
+  logic                 wraps;
 
-  assign move       = move_x_i || move_y_i;
   assign from_whole = load_i ? whole_i : whole_q;
   assign from_rest  = load_i ? rest_i : rest_q;
-  assign step_whole = (move_x_i ? x_whole_i : y_whole_i) ^ {WholeBits{back_i}};
-  assign step_rest  = move_x_i ? x_rest_i : y_rest_i;
+  assign step_whole = (along_y_i ? y_whole_i : x_whole_i) ^ {WholeBits{back_i}};
+  assign step_rest  = along_y_i ? y_rest_i : x_rest_i;
 
   // Up: + step, and - base where that wraps; down: - step, and + base. Both sums side by side; of the longer
   // one, where one of the two is inverted, the lowest carry is the 1 that this lacks.
@@ -51,7 +50,7 @@ module plane_ramp #(
   assign up_one = from_whole + step_whole + 1'b1;
 
   always_ff @(posedge clk_i) begin
-    if (move) begin
+    if (move_i) begin
       whole_q <= wraps != back_i ? up_one : up;
       rest_q  <= wraps ? wrapped[RestBits-1:0] : sum[RestBits-1:0];
     end else if (load_i) begin

@@ -59,7 +59,7 @@ module cluster_update (
 
   shadow_pkg::record_t  record, update;
   logic [A-1:0]         head_d, head_q, link_d, link_q, next_d, next_q;
-  logic                 next_valid_d, next_valid_q, refill_d, refill_q, room, written;
+  logic                 next_valid_d, next_valid_q, refill_d, refill_q, room, room_d, room_q, written;
   logic [CountBits-1:0] slot_d, slot_q;
   logic [S-1:0]         moved_d, moved_q;
   logic [shadow_pkg::CornerBits-1:0] corner_d, corner_q, corner_sum;
@@ -85,7 +85,7 @@ module cluster_update (
   always_comb begin
     state_d = state_q;
     head_d = head_q; link_d = link_q; next_d = next_q; next_valid_d = next_valid_q; refill_d = refill_q;
-    slot_d = slot_q; moved_d = moved_q; corner_d = corner_q;
+    slot_d = slot_q; moved_d = moved_q; corner_d = corner_q; room_d = room_q;
     lookup_o = 1'b0; lookup_addr_o = record.next;
     update_o = 1'b0; update_addr_o = at_i; update = record;
     given_o = 1'b0; released_o = 1'b0; put_o = 1'b0; put_addr_o = at_i;
@@ -95,6 +95,7 @@ module cluster_update (
       Found: if (work_i) begin
         head_d       = at_i;
         corner_d     = corner_sum;
+        room_d       = room;
         next_d       = record.next;
         next_valid_d = record.has_next;
         if (hit_i) begin
@@ -125,7 +126,7 @@ module cluster_update (
       Append: if (hit_i) begin
         update_o      = 1'b1;
         update.corner = corner_sum;
-        if (room) begin
+        if (room_q) begin
           update.count = record.count + 1'b1;
           for (int i = 0; i < L; i++) if (record.count == CountBits'(i)) update.segments[i*S+:S] = segment_i;
           line_stored_o = written;
@@ -278,6 +279,6 @@ module cluster_update (
   end
   always_ff @(posedge clk_i) begin
     head_q <= head_d; link_q <= link_d; next_q <= next_d; next_valid_q <= next_valid_d; refill_q <= refill_d;
-    slot_q <= slot_d; moved_q <= moved_d; corner_q <= corner_d;
+    slot_q <= slot_d; moved_q <= moved_d; corner_q <= corner_d; room_q <= room_d;
   end
 endmodule

@@ -126,7 +126,7 @@ module front (
   logic         restart_q;    // and the place goes to the lowest vertex's texel first
   logic         reached_q;    // it is the walker's texel, and moves with it
   logic         approaches, arrives;
-  logic         move_x, move_y, move_back, load_place;
+  logic         move_x, move_y, along_y, move_back, load_place;
   logic [T-1:0] place_x, place_y, low_x, low_y, centre_x, centre_y;
   logic         covers, on_map, y_on_map;
   logic         fill_load, fill_x, fill_y, fill_back, filling;
@@ -141,7 +141,7 @@ module front (
     .edge_dy_i(edge_dy), .clockwise_i(clockwise), .corners_i(corners), .inexact_i(inexact), .start_i(start),
     .start_rest_i(start_rest), .step_x_i(step_x), .step_x_rest_i(step_x_rest), .step_y_i(step_y),
     .step_y_rest_i(step_y_rest), .base_i(base), .load_i(load_place), .move_x_i(move_x), .move_y_i(move_y),
-    .back_i(move_back), .filling_i(filling), .fill_load_i(fill_load), .fill_x_i(fill_x), .fill_y_i(fill_y),
+    .along_y_i(along_y), .back_i(move_back), .filling_i(filling), .fill_load_i(fill_load), .fill_x_i(fill_x), .fill_y_i(fill_y),
     .fill_back_i(fill_back), .fill_step_i(fill_step), .fill_step_rest_i(fill_step_rest),
     .centre_x_o(centre_x), .centre_y_o(centre_y), .low_x_o(low_x), .low_y_o(low_y), .x_o(place_x), .y_o(place_y),
     .covers_o(covers), .depth_o(depth), .rest_o(rest), .on_map_o(on_map), .row_on_map_o(y_on_map));
@@ -197,22 +197,14 @@ module front (
   assign load_place = state_q == Walk && restart_q;
   assign load_edge  = edge_valid && (state_q == Edge || edge_ends);
 
-  always_comb begin
-    move_x    = 1'b0;
-    move_y    = 1'b0;
-    move_back = 1'b0;
-    if (walk_step) begin
-      move_x    = along_x;
-      move_y    = !along_x;
-      move_back = along_x && !walk_right;
-    end else if (approaches) begin
-      move_y    = place_y != texel_y_q;
-      move_x    = place_y == texel_y_q && place_x != texel_x_q;
-      move_back = place_y == texel_y_q && $signed(place_x) > $signed(texel_x_q);
-    end else if (comes_back) begin
-      move_x = place_x != row_x_q;
-    end
-  end
+  // Which way a step goes is known before whether it is made.
+  logic seeks, moves;
+  assign seeks     = state_q == Walk && !reached_q;
+  assign moves     = walk_step || (approaches && !arrives) || (comes_back && place_x != row_x_q);
+  assign along_y   = seeks ? place_y != texel_y_q : state_q != Return && !along_x;
+  assign move_back = !along_y && (seeks ? $signed(place_x) > $signed(texel_x_q) : state_q != Return && !walk_right);
+  assign move_x    = moves && !along_y;
+  assign move_y    = moves && along_y;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin

@@ -34,7 +34,8 @@ module walk_place #(
   input  logic               load_i,        // with a step: from the lowest vertex
   input  logic               move_x_i,
   input  logic               move_y_i,
-  input  logic               back_i,        // to -x
+  input  logic               along_y_i,     // the way of the step, and
+  input  logic               back_i,        //   to -x, if there is one
   // the depth alone goes with the spans
   input  logic               filling_i,
   input  logic               fill_load_i,
@@ -79,7 +80,7 @@ module walk_place #(
     .clockwise_i, .move_x_i, .back_i, .move_y_i, .inside_o(covers_o));
   plane_ramp #(.WholeBits(Depth), .RestBits(D)) ramp (
     .clk_i, .load_i(filling_i ? fill_load_i : load_i), .whole_i(start_i), .rest_i(start_rest_i),
-    .move_x_i(filling_i ? fill_x_i : move_x_i), .move_y_i(filling_i ? fill_y_i : move_y_i),
+    .move_i(filling_i ? fill_x_i || fill_y_i : move_x_i || move_y_i), .along_y_i(filling_i ? fill_y_i : along_y_i),
     .back_i(filling_i ? fill_back_i : back_i),
     .x_whole_i(filling_i ? fill_step_i : step_x_i), .x_rest_i(filling_i ? fill_step_rest_i : step_x_rest_i),
     .y_whole_i(step_y_i), .y_rest_i(step_y_rest_i), .base_i, .whole_o(depth_o), .rest_o);

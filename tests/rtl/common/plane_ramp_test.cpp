@@ -15,7 +15,7 @@ TEST(PlaneRamp, IsTheFloorOfThePlaneEverywhere) {
   std::mt19937_64 random(1);
   Vplane_ramp_test_dut dut;
   dut.clk_i = 0;
-  dut.load_i = dut.move_x_i = dut.move_y_i = dut.back_i = 0;
+  dut.load_i = dut.move_i = dut.along_y_i = dut.back_i = 0;
   dut.eval();
   constexpr std::uint64_t kWhole = (std::uint64_t{1} << 60) - 1;
   for (int plane = 0; plane < 3000; ++plane) {
@@ -45,10 +45,9 @@ TEST(PlaneRamp, IsTheFloorOfThePlaneEverywhere) {
       if (dut.load_i) x = y = 0;
       const unsigned way = random() % 5;
       dut.back_i = random() % 2;
-      dut.move_x_i = way == 1 || way == 2;
-      dut.move_y_i = way == 3 || way == 4;
-      if (dut.move_x_i) x += dut.back_i ? -1 : 1;
-      if (dut.move_y_i) y += dut.back_i ? -1 : 1;
+      dut.move_i = way != 0;
+      dut.along_y_i = way == 3 || way == 4;
+      if (dut.move_i) (dut.along_y_i ? y : x) += dut.back_i ? -1 : 1;
       dut.clk_i = 1;
       dut.eval();
       dut.clk_i = 0;
