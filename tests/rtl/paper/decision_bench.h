@@ -176,6 +176,7 @@ inline TestChain draw_chain(std::mt19937& random) {
   TestChain chain;
   // Few kinds of lines make ties; many lines an entry make candidates that are killed late.
   const unsigned entries = 1 + random() % 4, most_lines = 1 + random() % 12;
+  const unsigned kinds[] = {unsigned(random()), unsigned(random()), unsigned(random())};
   chain.texel_x = random() % 1024, chain.texel_y = random() % 1024;
   chain.depth = random() % 0xfffff0;
   for (std::uint32_t& object : chain.objects) object = random() % 0x10000;
@@ -192,7 +193,9 @@ inline TestChain draw_chain(std::mt19937& random) {
     e.record.entry.object = chain.objects[random() % 4];
     e.record.entry.nearest = nearest += random() % 3;
     e.record.entry.vertex = random() % 2 != 0;
-    for (unsigned n = 1 + random() % most_lines; n > 0; --n) e.lines.push_back(line_of(random()));
+    for (unsigned n = 1 + random() % most_lines; n > 0; --n) {
+      e.lines.push_back(line_of(random() % 2 ? kinds[random() % 3] : random()));
+    }
     chain.entries.push_back(e);
   }
   // Record n stands at an address of its own, the bucket's own at 0.
@@ -206,6 +209,7 @@ inline TestChain draw_chain(std::mt19937& random) {
       records.push_back(e.record);
       for (std::size_t i = first; i < e.lines.size() && i < first + 3; ++i) {
         records.back().entry.lines.push_back(record_of(e.lines[i]));
+        records.back().entry.lines.back().polygon = random() % 2;
       }
       records.back().more = first + 3 < e.lines.size() ? address(records.size()) : 0;
     }
