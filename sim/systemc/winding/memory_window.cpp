@@ -50,6 +50,7 @@ void MemoryWindow::settle() {
 }
 
 bool MemoryWindow::step(const Inputs& in) {
+  if (in.work == nullptr && !in.response && empty()) return false;
   const bool push = pushes(in.fetched);
   const bool let_go =
       entry_valid_ && !entry_.bare && !hit_ && pushed_ == popped_ && in.clean;

@@ -34,6 +34,7 @@ class RecordCache : public sc_core::sc_module {
   // Of this cycle:
   bool hit() const { return hit_; }
   bool idle() const { return !read_valid_ && !write_valid_ && busy_count_ == 0; }
+  bool looks_up() const { return lookup_; }
   bool update_ready(WordAddress address, Cycle now) const {
     return (!write_valid_ || !writes_.at(now)) &&
            ((hit_ && address == looked_up_) || !lines_[line_of(address)].busy);

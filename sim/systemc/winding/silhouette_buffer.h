@@ -32,6 +32,8 @@ class SilhouetteBuffer : public sc_core::sc_module {
   bool step(Cycle now);
   Cause cause() const { return cause_; }  ///< of a step
   bool idle() const { return ready() && records.idle(); }
+  /// Nothing changes until something begins.
+  bool asleep() const { return idle() && !records.looks_up() && !seen_; }
   /// The clock's edge. @return did anything change?
   bool clock(Cycle now);
 

@@ -76,6 +76,11 @@ void TexelBuffers::classify(const Work& work) {
 }
 
 void TexelBuffers::step(Cycle now, const Inputs& in) {
+  asleep_ = asleep();
+  if (asleep_) {
+    load_ = pop_ = done_ = false;
+    return;
+  }
   in_ = in;
   pop_ = change_ = start_ = false;
   next_todo_ = todo_;
@@ -144,6 +149,7 @@ bool TexelBuffers::all_held(const TexelState* word) {
 }
 
 bool TexelBuffers::clock(Cycle now) {
+  if (asleep_) return false;
   const bool settles = window.valid() && window.work().kind == Work::kTile;
   const bool begins = window.valid() && window.work().kind == Work::kBegin;
   const bool mem_done = dirty_ == 0 || in_.write_ready;

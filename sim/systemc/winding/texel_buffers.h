@@ -53,6 +53,8 @@ class TexelBuffers : public sc_core::sc_module {
   bool clock(Cycle now);
 
  private:
+  /// Nothing changes in this cycle.
+  bool asleep() const { return idle() && !flush_ && !running_ && silhouettes.asleep(); }
   bool back() const { return flush_ || (window.valid() && window.fresh()); }
   void classify(const Work& work);
   void evaluate(const Work& work);
@@ -70,7 +72,7 @@ class TexelBuffers : public sc_core::sc_module {
   WordAddress held_ = 0;
   // Of this cycle.
   Inputs in_;
-  bool load_ = false, pop_ = false, done_ = false, change_ = false, start_ = false;
+  bool asleep_ = false, load_ = false, pop_ = false, done_ = false, change_ = false, start_ = false;
   bool next_resumed_ = false, next_sums_ = false;
   unsigned next_todo_ = 0, next_lane_ = 0, put_now_ = 0;
 };
