@@ -1,5 +1,6 @@
 /// kagesen prove: unbounded proofs of the RTL's small blocks, and that each can fail.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iostream>
@@ -19,7 +20,7 @@ namespace {
 
 struct ProveArguments {
   std::vector<std::string> names;
-  std::string json, seconds = "120";
+  std::string json, page, seconds = "120";
   bool list = false;
 };
 
@@ -42,6 +43,24 @@ std::vector<Proof> chosen(const std::vector<std::string>& names) {
   return proofs;
 }
 
+/// The page's part of a proof.
+std::string section(const Proof& proof, const nlohmann::ordered_json& outcome) {
+  std::string widths;
+  for (const std::vector<std::string>& package : proof.packages) {
+    std::vector<std::string> all = proof.parameters;
+    all.insert(all.end(), package.begin(), package.end());
+    if (!all.empty())
+      widths += fmt::format("{}`{}`", widths.empty() ? "" : "; ", fmt::join(all, " "));
+  }
+  return fmt::format("## {}\n\n{}\n\n{}: {}, {} of {} broken copies refuted.{}\n\n", proof.name,
+                     proof.statement,
+                     proof.pipeline ? fmt::format("All runs of {} cycles", proof.pipeline + 1)
+                                    : "Runs of any length",
+                     outcome["outcome"].get<std::string>(), outcome["refuted"].get<std::size_t>(),
+                     outcome["broken"].get<std::size_t>(),
+                     widths.empty() ? "" : fmt::format(" Widths: {}.", widths));
+}
+
 const char* word(Outcome outcome) {
   return outcome == Outcome::kProved    ? "proved"
          : outcome == Outcome::kRefuted ? "REFUTED"
@@ -56,6 +75,13 @@ void run_prove(const ProveArguments& arguments) {
   }
   const double limit_s = parse_number("--seconds", arguments.seconds, 1, 1e6);
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  std::string page =
+      "# Proofs\n\nWritten by `kagesen prove --page docs/proofs.md`. "
+      "`testbench/formal/NAME_proof.sv` "
+      "holds the properties\nof a block and what its neighbours keep; Yosys makes a graph of both, "
+      "and ABC's `pdr` proves or refutes\n"
+      "it from reset on, `bmc3` where a run has an end. Each proof has to refute copies of the RTL "
+      "with a fault in\nthem.\n\n";
   Progress progress(true);
   bool good = true;
   for (const Proof& proof : proofs) {
@@ -85,14 +111,17 @@ void run_prove(const ProveArguments& arguments) {
                     {"seconds", verdict.seconds},
                     {"broken", proof.broken.size()},
                     {"refuted", refuted}});
+    page += section(proof, json.back());
   }
+  Outputs outputs;
   if (arguments.json == "-") {
     std::cout << json.dump(2) << "\n";
   } else if (!arguments.json.empty()) {
-    Outputs outputs;
     outputs.write(arguments.json, json.dump(2) + "\n", "--json");
-    outputs.commit();
   }
+  if (!arguments.page.empty())
+    outputs.write(arguments.page, page.substr(0, page.size() - 1), "--page");
+  outputs.commit();
   if (!good) throw CLI::RuntimeError(1);
 }
 
@@ -109,6 +138,7 @@ void add_prove(CLI::App& app) {
       ->capture_default_str();
   command.add_option("--json", arguments->json, "Writes the outcomes; - for standard output")
       ->type_name("FILE");
+  command.add_option("--page", arguments->page, "Writes docs/proofs.md")->type_name("FILE");
   command.footer(
       "Each proof also has to refuse broken copies of the RTL. Exit status 1 if a proof does not\n"
       "hold or a broken copy is not refused.");

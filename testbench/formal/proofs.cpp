@@ -28,8 +28,16 @@ Proof read_proof(const fs::path& file) {
   proof.file = file.string();
   proof.name = file.stem().string();
   proof.name.resize(proof.name.size() - std::string("_proof").size());
-  std::istringstream text(read_file(file));
+  const std::string whole = read_file(file);
+  static const std::regex parameter("parameter int unsigned (\\w+) = (\\d+)");
+  for (std::sregex_iterator at(whole.begin(), whole.end(), parameter), end; at != end; ++at) {
+    proof.parameters.push_back((*at)[1].str() + "=" + (*at)[2].str());
+  }
+  std::istringstream text(whole);
+  bool stated = false;
   for (std::string words; std::getline(text, words);) {
+    stated = stated || words == "//";
+    if (!stated) proof.statement += (proof.statement.empty() ? "" : " ") + words.substr(3);
     std::smatch found, parts;
     if (!std::regex_match(words, found, line)) continue;
     const std::string value = found[2];

@@ -2,17 +2,14 @@
 /// Unbounded proofs: a harness holds the properties, Yosys makes a graph of it, ABC proves or
 /// refutes.
 ///
-/// NAME_proof.sv is a module of that name without reset input. Its header comment may say
-///   // profile: winding                       the package and the folder of the blocks; else paper
-///   // package: FractionBits=3 SlopeBits=3    constants that replace the package's; each such line
-///   is
-///                                            a proof of its own
-///   // pipeline: 3                           no value lives longer than so many cycles, so that
-///   all
-///                                            runs of one cycle more are all runs; else the search
-///                                            is unbounded
-///   // long run                             no test of ctest
-///   // broken: FILE: `old` => `new`           a copy of the RTL that the proof must refuse
+/// NAME_proof.sv is a module of that name without reset input. Its header comment states what is
+/// proven and, behind a line without text, may say
+///   // profile: winding      package and folder of the blocks; else paper
+///   // package: NAME=VALUE... constants that replace the package's; each such line is a proof
+///   // pipeline: 3            nothing lives longer than so many cycles: all runs of one cycle more
+///                             are all runs; else the search is unbounded
+///   // long run               no test of ctest
+///   // broken: FILE: `old` => `new`   a copy of the RTL that the proof must refuse
 #include <string>
 #include <vector>
 
@@ -22,9 +19,11 @@ struct BrokenCopy {
   std::string file, old_text, new_text;
 };
 struct Proof {
-  std::string name;  ///< without _proof
+  std::string name;       ///< without _proof
+  std::string statement;  ///< what is proven: the header comment's text
   std::string file, profile = "paper";
   std::vector<std::vector<std::string>> packages;  ///< NAME=VALUE...; one at least
+  std::vector<std::string> parameters;             ///< NAME=VALUE of the harness
   unsigned pipeline = 0;                           ///< 0: state may live for ever
   std::vector<BrokenCopy> broken;
 };
