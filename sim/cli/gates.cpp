@@ -2,6 +2,7 @@
 #include "testbench/synthesis/gates.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iostream>
@@ -21,6 +22,7 @@ struct GatesArguments {
   GateOptions gates;
   std::string json, page;
   bool sweep = false;
+  std::vector<std::string> keys;  ///< of the sweep; empty: all
   std::size_t paths = 0;
 };
 
@@ -65,10 +67,11 @@ bool is_key(const std::string& key) {
 }
 
 std::vector<SweepRow> sweep(const UnitConfig& config, const GateOptions& options,
-                            Progress& progress) {
+                            const std::vector<std::string>& keys, Progress& progress) {
   std::vector<SweepRow> rows;
   for (const Sweep& sweep : sweeps(config.profile)) {
-    if (!is_key(sweep.key)) continue;
+    const bool asked = std::find(keys.begin(), keys.end(), sweep.key) != keys.end();
+    if (!is_key(sweep.key) || (!keys.empty() && !asked)) continue;
     for (const char* value : sweep.values) {
       SweepRow row{sweep.key, value, get_field(config, sweep.key) == value, {}};
       UnitConfig varied = config;
@@ -96,20 +99,32 @@ void write_json(const std::string& path, const nlohmann::ordered_json& json) {
 
 /// Both profiles, whatever the configuration says of that.
 void write_page(const GatesArguments& arguments, UnitConfig config, Progress& progress) {
-  std::vector<GateReport> reports;
+  GatesPage page;
+  std::string command = "kagesen gates --page " + arguments.page;
+  GateOptions other = arguments.gates;
+  other.library = other.library == "osu018" ? "osu035" : "osu018";
   for (const char* profile : {"paper", "winding"}) {
     set_field(config, "profile", profile);
-    reports.push_back(measure_gates(config, arguments.gates, [&](const std::string& stage) {
+    const auto tell = [&](const std::string& stage) {
       progress.update(std::string(profile) + ": " + stage, 0);
-    }));
+    };
+    page.profiles.push_back(measure_gates(config, arguments.gates, tell));
+    page.other_library.push_back(measure_gates(config, other, tell));
+    if (!arguments.sweep) continue;
+    for (const SweepRow& row : sweep(config, arguments.gates, arguments.keys, progress)) {
+      page.sweep.push_back(row);
+    }
   }
+  if (arguments.sweep) command += " --sweep";
+  if (!arguments.keys.empty()) command += fmt::format(" --keys {}", fmt::join(arguments.keys, ","));
   progress.clear();
   Outputs outputs;
-  outputs.write(arguments.page, gates_page(reports, "kagesen gates --page " + arguments.page),
-                "--page");
+  outputs.write(arguments.page, gates_page(page, command), "--page");
   outputs.commit();
   std::cout << arguments.page << "\n";
-  if (!reports[0].unmapped.empty() || !reports[1].unmapped.empty()) throw CLI::RuntimeError(1);
+  for (const GateReport& report : page.profiles) {
+    if (!report.unmapped.empty()) throw CLI::RuntimeError(1);
+  }
 }
 
 void run_gates(const GatesArguments& arguments) {
@@ -120,7 +135,7 @@ void run_gates(const GatesArguments& arguments) {
     return;
   }
   if (arguments.sweep) {
-    const std::vector<SweepRow> rows = sweep(config, arguments.gates, progress);
+    const std::vector<SweepRow> rows = sweep(config, arguments.gates, arguments.keys, progress);
     progress.clear();
     if (arguments.json != "-") std::cout << sweep_table(rows);
     if (!arguments.json.empty()) write_json(arguments.json, sweep_json(rows));
@@ -157,6 +172,9 @@ void add_gates(CLI::App& app) {
   command.add_option("--paths", arguments->paths, "Prints the N longest paths, one to each register")
       ->type_name("N");
   command.add_flag("--sweep", arguments->sweep, "What each parameter costs, one varied at a time");
+  command.add_option("--keys", arguments->keys, "Of --sweep: only these")
+      ->type_name("KEY,...")
+      ->delimiter(',');
   command.add_option("--page", arguments->page, "Writes both profiles' tables, docs/gates.md")
       ->type_name("FILE");
   command.add_flag("--flatten", gates.flatten,

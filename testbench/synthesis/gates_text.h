@@ -15,9 +15,6 @@ std::string gates_table(const GateReport& report);
 /// The longest paths, of each end its own.
 std::string paths_table(const GateReport& report, std::size_t most);
 
-/// docs/gates.md: how it is measured, and a table for each report.
-std::string gates_page(const std::vector<GateReport>& reports, const std::string& command);
-
 /// One value of one parameter.
 struct SweepRow {
   std::string key, value;
@@ -25,6 +22,13 @@ struct SweepRow {
   GateReport report;
 };
 std::string sweep_table(const std::vector<SweepRow>& rows);
+/// docs/gates.md: how it is measured, and the tables.
+struct GatesPage {
+  std::vector<GateReport> profiles, other_library;
+  std::vector<SweepRow> sweep;  ///< may be empty
+};
+std::string gates_page(const GatesPage& page, const std::string& command);
+
 nlohmann::ordered_json sweep_json(const std::vector<SweepRow>& rows);
 
 }  // namespace kagesen
