@@ -25,6 +25,13 @@ class CachedMemory : public sc_core::sc_module {
     accepted_ = kNever;
     due_ = {};
   }
+  /// Words from 0 on are written in turn, the first in cycle `from`. Returns the first cycle in which
+  /// the memory has them all. @pre nothing is on chip
+  Cycle wipe(Cycle from, std::uint32_t words) {
+    cache.fill_in_turn(words);
+    for (std::uint32_t i = 0; i < words; ++i) from = writes_.next(from + 1);
+    return from + 1;
+  }
   /// What the memory does in a cycle.
   LineCache::Inputs inputs(Cycle now) {
     LineCache::Inputs in;

@@ -22,6 +22,17 @@ void LineCache::clear() {
   settle();
 }
 
+void LineCache::fill_in_turn(Address words) {
+  const Address sets = Address{1} << set_bits_;
+  for (Address address = words > sets ? words - sets : 0; address < words; ++address) {
+    const unsigned line = 2 * set_of(address);
+    lines_[line] = {true, false, false, false};
+    lines_[line + 1].valid = false;
+    keys_[line] = address;
+  }
+  settle();
+}
+
 unsigned LineCache::set_of(Address address) const {
   if (fold_) {
     for (Address rest = address >> set_bits_; rest != 0; rest >>= set_bits_) address ^= rest;

@@ -29,6 +29,8 @@ class LineCache : public sc_core::sc_module {
   /// As after reset. @param lines  of two ways, a power of two  @param fold  see line_cache.sv
   void reset(unsigned lines, bool fold);
   void clear();
+  /// Words from 0 on are updated in turn, none being looked up, and written.
+  void fill_in_turn(Address words);
 
   // Of this cycle, by registers alone:
   bool hit() const { return hit_; }

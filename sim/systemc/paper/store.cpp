@@ -33,7 +33,6 @@ void Store::reset(const UnitConfig& config) {
   edges_.assign(static_cast<std::size_t>(config.map_height) << pitch_log2_, 0);
   causes_.clear();
   for (QueueMeter& m : meters_) m.clear();
-  walk_.wipe(config);
 }
 
 void Store::begin_pass(unsigned texel_bytes, const Stalls& texel_writes, unsigned record_bytes,
@@ -46,30 +45,15 @@ void Store::begin_pass(unsigned texel_bytes, const Stalls& texel_writes, unsigne
   for (QueueMeter& m : meters_) m.begin_pass();
 }
 
+/// The first cycle clears what is on chip.
 Cycle Store::wipe() {
   walk_.wipe(config_);
   texels.cache.clear();
   records.cache.clear();
   const auto words = static_cast<std::uint32_t>(config_.map_height) << pitch_log2_;
   const auto buckets = static_cast<std::uint32_t>(config_.slb_buckets);
-  std::uint32_t word = 0, bucket = 0;
-  const auto go_on = [](CachedMemory& memory, Cycle now, std::uint32_t& at, std::uint32_t end) {
-    LineCache::Inputs in = memory.inputs(now);
-    in.update_address = at;
-    in.update = at != end && memory.cache.update_ready(at, in.write_ready, in.read_ready);
-    at += in.update;
-    memory.step(in);
-  };
-  // The first cycle clears what is on chip.
-  for (now_ = 1;; ++now_) {
-    const bool done =
-        word == words && bucket == buckets && now_ > links_.wipe_cycles() &&
-        texels.cache.idle() && records.cache.idle();
-    go_on(texels, now_, word, words);
-    go_on(records, now_, bucket, buckets);
-    if (done) break;
-  }
-  return now_ + 1;
+  return std::max({texels.wipe(1, words), records.wipe(1, buckets),
+                   static_cast<Cycle>(links_.wipe_cycles()) + 1}) + 1;
 }
 
 void Store::begin(const unit::TriangleTrail& triangle) {
