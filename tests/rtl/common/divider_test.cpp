@@ -117,6 +117,23 @@ TEST(Divider, DividesByTheLongestDivisors) {
   }
 }
 
+/// A skip would lose the one high bit of the rest, whichever it is.
+TEST(Divider, SkipsOnlyOverZeros) {
+  std::mt19937_64 random(5);
+  Bench<Vdivider_test_dut> bench;
+  for (int i = 0; i < 800; ++i) {
+    const std::int64_t rest =
+        std::int64_t{1} << (48 + i % 8) | static_cast<std::int64_t>(random() % 4096);
+    const int below = 6 + 2 * static_cast<int>(random() % 3);
+    if (rest >= std::int64_t{1} << (62 - below)) continue;
+    const std::int64_t divisor = rest + 1 + static_cast<std::int64_t>(random() % 1000);
+    const std::int64_t numerator =
+        rest << below | static_cast<std::int64_t>(random() % (1u << below));
+    bench.divide(i % 3 == 0 ? -numerator : numerator, divisor, 63, 63, 0);
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
 TEST(Divider, SkipsLeadingZerosOfTheQuotient) {
   Bench<Vdivider_test_dut> bench;
   bench.divide((std::int64_t{1} << 55) + 12345, std::int64_t{1} << 50, 63, 63, 0);
