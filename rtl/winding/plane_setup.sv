@@ -233,30 +233,30 @@ module plane_setup #(
       `CHECK(divisor_stays, to != ToArea || div_ready)
     end
   end
-  always_ff @(posedge clk_i) begin
-    unique case (state_q)
-      Differences: begin
-        pc_q     <= '0;
-        narrow_q <= 1'b0;
-        term_q   <= '0;
-        digit_q  <= '0;
-      end
-      Run: begin
-        if (issue) begin
-          term_q <= last_term ? '0 : term_q + 1'b1;
-          if (last_term) digit_q <= last_digit ? '0 : digit_q + 1'b1;
-          if (last_issue) pc_q <= pc_next;
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      {pc_q, narrow_q, term_q, digit_q} <= '0;
+    end else begin
+      unique case (state_q)
+        Differences: {pc_q, narrow_q, term_q, digit_q} <= '0;
+        Run: begin
+          if (issue) begin
+            term_q <= last_term ? '0 : term_q + 1'b1;
+            if (last_term) digit_q <= last_digit ? '0 : digit_q + 1'b1;
+            if (last_issue) pc_q <= pc_next;
+          end
+          if (finish_narrow) pc_q <= PcStepX;
         end
-        if (finish_narrow) pc_q <= PcStepX;
-      end
-      Judge: if (start_narrow) begin
-        narrow_q <= 1'b1;
-        pc_q     <= tiny ? PcStepX : PcNarrow;
-        if (!tiny) den_q <= best;
-      end
-      default: ;
-    endcase
-
+        Judge: if (start_narrow) begin
+          narrow_q <= 1'b1;
+          pc_q     <= tiny ? PcStepX : PcNarrow;
+        end
+        default: ;
+      endcase
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (state_q == Judge && start_narrow && !tiny) den_q <= best;
     third_due_q <= finish_narrow;
     unique case (to)
       ToArea: begin

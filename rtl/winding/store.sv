@@ -112,6 +112,9 @@ module store (
       work_valid = !skips;
     end else if (visit_i.kind == shadow_pkg::VisitBegin) begin
       {work.base3, work.base2, work.base1, work.base0} = (4 * B)'(visit_tri_i);
+    end else if (visit_i.kind == shadow_pkg::VisitEdge) begin  // as a span of one texel
+      {work.base3, work.base2, work.base1} = {3{visit_i.base0}};
+      work.mask = 4'd1 << visit_i.x[1:0];
     end
   end
   assign frag_ready_o  = !settle_i && (work_ready || skips);

@@ -20,7 +20,7 @@ module tile_buffer (
   // work and its tile word, from memory_window
   input  logic                                  in_valid_i,
   input  logic                                  in_fresh_i,
-  input  shadow_pkg::visit_t                    in_i,
+  input  shadow_pkg::visit_t                    in_i,          // mask: texels visited, each with its base; of edges too
   input  logic [shadow_pkg::TileBits-1:0]       in_tile_i,
   output logic                                  load_o,
   output logic                                  pop_o,
@@ -34,7 +34,7 @@ module tile_buffer (
   input  logic                                  out_ready_i,
   output logic                                  out_bare_o,    // needs no texel word
   output logic [shadow_pkg::TexelAddrBits-2:0]  out_addr_o,
-  output shadow_pkg::visit_t                    out_o,         // mask: texels visited; a base for each: of edges too
+  output shadow_pkg::visit_t                    out_o,         // mask: texels visited that pass
   // the sum of a settled tile
   input  logic                                  sum_valid_i,   // held until sum_ready_o
   output logic                                  sum_ready_o,
@@ -72,10 +72,9 @@ module tile_buffer (
   logic [shadow_pkg::TileSlotBits-1:0] slot_q;
   shadow_pkg::tile_t tile_d, tile_q, data, tile;
 
-  logic        begins, announces, edge_visit, at_work, change, settled_back, mem_done, keep_done;
+  logic        begins, announces, at_work, change, settled_back, mem_done, keep_done;
   logic [3:0]  texels, masked, passing;
   assign begins     = in_i.kind == shadow_pkg::VisitBegin;
-  assign edge_visit = in_i.kind == shadow_pkg::VisitEdge;
   assign announces  = in_i.kind == VisitTile && !settling_i;
   // A visit is carried out as its tile is loaded.
   assign at_work    = in_valid_i && (in_fresh_i ? load_o : !flush_q);
@@ -83,7 +82,7 @@ module tile_buffer (
   assign tile       = in_fresh_i ? data : tile_q;
 
   // ---- The triangle's planes: a begin carries their gradients in place of the bases -------------
-  logic [4*B-1:0] body, bases;
+  logic [4*B-1:0] body;
   logic           steep;
   logic [26:0]    half;
   assign body = {in_i.base3, in_i.base2, in_i.base1, in_i.base0};
@@ -101,13 +100,12 @@ module tile_buffer (
   assign least  = 29'(tile.last) + 29'(half_q) + 29'(1 << Step);
   assign limit  = $signed(B'(least >> Step));
   assign texel  = {in_i.y[2:0], in_i.x[2:0]};
-  assign texels = edge_visit ? 4'd1 << in_i.x[1:0] : in_i.mask;
+  assign texels = in_i.mask;
   assign in_mask  = tile.mask[{texel[5:2], 2'd0}+:4];
   assign received = texels & (in_mask | {4{!skip_masked_i}});
-  assign bases    = edge_visit ? {4{in_i.base0}} : body;
   always_comb begin
     for (int i = 0; i < 4; i++) begin
-      passing[i] = received[i] && !(skip_masked_i && !steep_q && $signed(bases[i*B+:B]) >= limit);
+      passing[i] = received[i] && !(skip_masked_i && !steep_q && $signed(body[i*B+:B]) >= limit);
     end
   end
   assign masked = texels & ~passing;
@@ -122,14 +120,14 @@ module tile_buffer (
     behind = '0;
     for (int j = 1; j < 4; j++) begin
       for (int i = 0; i < j; i++) begin
-        behind[4*j+i] = $signed(bases[j*B+:B]) >= $signed(bases[i*B+:B]);
+        behind[4*j+i] = $signed(body[j*B+:B]) >= $signed(body[i*B+:B]);
         behind[4*i+j] = !behind[4*j+i];
       end
     end
     lowest = '0;
     for (int j = 0; j < 4; j++) begin
       nearest_of[j] = received[j] && (behind[4*j+:4] & received) == '0;
-      lowest = lowest | (bases[j*B+:B] & {B{nearest_of[j]}});
+      lowest = lowest | (body[j*B+:B] & {B{nearest_of[j]}});
     end
   end
   logic [31:0] nearest, farthest_unused;
@@ -154,7 +152,6 @@ module tile_buffer (
     pending     = 1'b0;
     out_o       = in_i;
     out_o.mask  = passing;
-    {out_o.base3, out_o.base2, out_o.base1, out_o.base0} = bases;
     out_addr_o  = {tile.slot, place};
     if (at_work && announces) begin
       tile_d.mask[texel] = 1'b1;

@@ -58,7 +58,7 @@ module walk_place #(
 );
   logic [1:0]   low;  // the lowest vertex
   logic [T-1:0] low_vertex_x, low_vertex_y;  // units of 2^16: f is 16 at least
-  logic [T-1:0] from_x, from_y;
+  logic [T-1:0] from_x, from_y, next_x, next_y;
   assign low        = upward_i[0] && !upward_i[2] ? 2'd0 : upward_i[1] && !upward_i[0] ? 2'd1 : 2'd2;
   assign centre_x_o = T'(map_width_i[M:1]);
   assign centre_y_o = T'(map_height_i[M:1]);
@@ -66,11 +66,13 @@ module walk_place #(
   assign low_vertex_y = T'($signed(vertices_i[2*low*C+C+16 +: C-16]));
   assign from_x = load_i ? low_x_o : x_o;
   assign from_y = load_i ? low_y_o : y_o;
+  assign next_x = from_x + {{(T-1){back_i}}, 1'b1};
+  assign next_y = from_y + 1'b1;
   always_ff @(posedge clk_i) begin
     low_x_o <= T'($signed(low_vertex_x) >>> texel_bits_i) + centre_x_o;
     low_y_o <= T'($signed(low_vertex_y) >>> texel_bits_i) + centre_y_o;
-    if (move_x_i || load_i) x_o <= from_x + {{(T-1){move_x_i && back_i}}, move_x_i};
-    if (move_y_i || load_i) y_o <= from_y + T'(move_y_i);
+    x_o <= move_x_i ? next_x : from_x;
+    y_o <= move_y_i ? next_y : from_y;
   end
   assign row_on_map_o = y_o < T'(map_height_i);
   assign on_map_o     = x_o < T'(map_width_i) && row_on_map_o;
