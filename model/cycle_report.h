@@ -51,6 +51,10 @@ struct PassCycles {
   std::vector<QueueCycles> queues;                            ///< by name
   std::vector<CacheCounts> caches;                            ///< by name
   std::optional<MemoryTraffic> traffic;
+  static constexpr std::uint32_t kTile = 8;  ///< texels
+  /// Pass 1: cycles that the store spent on the texels of each tile of the map, row by row; empty:
+  /// not known.
+  std::vector<std::uint64_t> tiles;
 
   double per_item() const { return items ? double(total) / double(items) : 0; }
   std::uint64_t of(const std::string& cause) const {

@@ -98,6 +98,13 @@ struct UnitConfig {
   std::int64_t memory_bank_busy = 1;   // cycles from a bank's read to its next
   std::int64_t memory_row_words = 0;   // words of a bank's row; 0: no rows
   std::int64_t memory_row_miss = 0;    // more cycles where another row is open
+  std::int64_t texel_cache_lines = 0;  // of a cache behind each texel port; 0: none
+  std::int64_t texel_cache_ways = 2;
+  std::int64_t texel_cache_line_words = 4;
+  std::int64_t slb_cache_lines = 0;  // of a cache behind each SLB port; 0: none
+  std::int64_t slb_cache_ways = 2;
+  std::int64_t slb_cache_line_words = 1;
+  std::int64_t cache_latency = 2;      // cycles from a request to the response of what is there
   std::int64_t memory_seed = 1;        // of what is random
 };
 

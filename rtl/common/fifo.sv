@@ -6,7 +6,7 @@
 `include "check.svh"
 module fifo #(
   parameter int unsigned Width = 8,
-  parameter int unsigned Depth = 4  // a power of two, 2 or more; one more stands in the output register
+  parameter int unsigned Depth = 4  // a power of two; one more stands in the output register
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,
@@ -19,7 +19,8 @@ module fifo #(
   output logic [Width-1:0] data_o,
   output logic             empty_o  // nothing inside, output register included
 );
-  localparam int unsigned PtrBits = $clog2(Depth);
+  localparam int unsigned Words   = Depth < 2 ? 2 : Depth;  // of the memory
+  localparam int unsigned PtrBits = $clog2(Words);
   logic [PtrBits:0] head_q, tail_q;  // read, write; one bit more tells full from empty
   logic out_valid_q;
   logic push, fetch;
@@ -31,7 +32,7 @@ module fifo #(
   assign valid_o = out_valid_q;
   assign empty_o = !out_valid_q && head_q == tail_q;
 
-  ram_1r1w #(.Width(Width), .Depth(Depth)) ram (
+  ram_1r1w #(.Width(Width), .Depth(Words)) ram (
     .clk_i,
     .write_i(push), .write_addr_i(tail_q[PtrBits-1:0]), .write_data_i(data_i),
     .read_i(fetch), .read_addr_i(head_q[PtrBits-1:0]), .read_data_o(data_o)

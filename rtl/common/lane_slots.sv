@@ -10,6 +10,7 @@
 `include "check.svh"
 module lane_slots #(
   parameter int unsigned Slots = 64,  // a power of two, 4 or more
+  parameter int unsigned Most  = Slots,  // taken at once
   parameter int unsigned Width = 4,   // of a verdict
   localparam int unsigned SlotBits = $clog2(Slots)
 ) (
@@ -52,7 +53,7 @@ module lane_slots #(
 
   assign slot_o        = tail_q[SlotBits-1:0];
   assign oldest_o      = head_q[SlotBits-1:0];
-  assign free_o        = (tail_q - head_q) != (SlotBits + 1)'(Slots);
+  assign free_o        = (tail_q - head_q) != (SlotBits + 1)'(Most);
   assign oldest_done_o = head_q != tail_q && done_q[oldest_o];
   assign idle_o        = head_q == tail_q && !out_valid_q;
 

@@ -80,7 +80,7 @@ module shadow_lane (
   logic                   place_averted_q, place_outside_q;
   logic                   place_moves;
 
-  lane_slots #(.Slots(Slots), .Width(shadow_pkg::VerdictBits)) slots (
+  lane_slots #(.Slots(Slots), .Most(shadow_pkg::FragmentsInFlight), .Width(shadow_pkg::VerdictBits)) slots (
     .clk_i, .rst_ni, .clear_i,
     .free_o(slot_free), .take_i(take), .slot_o(slot),
     .known_i(known), .known_slot_i(place_slot_q), .known_final_i(known_final),
@@ -329,7 +329,7 @@ module shadow_lane (
   always_comb begin
     looking_d = looking_q;
     reading_d = reading_q;
-    if (take) looking_d[slot] = 1'b0;
+    if (take) {looking_d[slot], reading_d[slot]} = 2'b00;
     if (lookup) looking_d[early_slot] = 1'b1;
     if (read_taken) reading_d[read_slot] = 1'b1;
     if (slb_rsp_valid_i) reading_d[slb_rsp_tag_i[SlotBits-1:0]] = 1'b0;

@@ -14,7 +14,8 @@ package shadow_pkg;
   localparam int unsigned LinesPerRecord = 3;
   localparam int unsigned RecordAddrBits = 19;  // buckets, then the pool
   localparam int unsigned Lanes         = 1;
-  localparam int unsigned FragmentSlots = 128;  // fragments in flight a lane, a power of two
+  localparam int unsigned FragmentsInFlight = 128;  // of a lane, a power of two
+  localparam int unsigned FragmentSlots = FragmentsInFlight < 8 ? 8 : FragmentsInFlight;
   localparam int unsigned VisitFifoDepth = 32;  // visits ahead of the store, a power of two
   localparam int unsigned TexelLines    = 64;   // texel words kept on chip in pass 1, a power of two
   localparam int unsigned RecordLines   = 128;  // SLB records kept on chip in pass 1, a power of two

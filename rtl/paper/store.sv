@@ -63,7 +63,8 @@ module store (
   localparam int unsigned Texels    = shadow_pkg::TexelsPerWord;
   localparam int unsigned VisitBits = 2 + 2 * MapBits + shadow_pkg::LineBits + 5 * DepthBits + 1 + Texels;
   localparam int unsigned TriBits   = shadow_pkg::IdBits + 2 * DepthBits + 1;
-  localparam int unsigned Depth     = 2 * shadow_pkg::VisitFifoDepth;  // at least what both queues hold
+  // At least what both queues hold.
+  localparam int unsigned Depth     = shadow_pkg::VisitFifoDepth < 4 ? 8 : 2 * shadow_pkg::VisitFifoDepth;
   localparam int unsigned AddrBits  = shadow_pkg::RecordAddrBits + shadow_pkg::TexelAddrBits;
   localparam int unsigned PtrBits   = $clog2(Depth);
   // An outline crosses at most so many texels of the map.

@@ -58,7 +58,9 @@ module shadow_lane (
   logic                slot1_valid_q, enter;
   logic [SlotBits-1:0] slot1_q;
 
-  lane_slots #(.Slots(shadow_pkg::FragmentSlots), .Width(VerdictBits)) slots (
+  lane_slots #(
+    .Slots(shadow_pkg::FragmentSlots), .Most(shadow_pkg::FragmentsInFlight), .Width(VerdictBits)
+  ) slots (
     .clk_i, .rst_ni, .clear_i, .free_o(free), .take_i(take), .slot_o(slot),
     .known_i(known_valid), .known_slot_i(slot1_q), .known_final_i(known_final),
     .known_verdict_i(known_verdict),

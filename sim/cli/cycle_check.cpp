@@ -11,6 +11,20 @@ constexpr std::size_t kAround = 3;  // fragments shown before and after the firs
 
 std::string text_of(const FragmentCycles& c) { return fmt::format("{} to {}", c.accepted, c.retired); }
 
+std::string text_of(std::uint64_t cycle) { return std::to_string(cycle); }
+
+/// What differs first, what came before it and after; a line each. @param what  "fragment"
+template <typename Times>
+void add_timelines(const char* what, const std::vector<Times>& rtl, const std::vector<Times>& model,
+                   std::size_t at, std::vector<std::string>& lines) {
+  lines.push_back(fmt::format("  {:<12}{:<24}{}", what, "systemc", "rtl"));
+  const std::size_t last = std::min(rtl.size(), at + kAround + 1);
+  for (std::size_t i = at > kAround ? at - kAround : 0; i < last; ++i) {
+    lines.push_back(fmt::format("{} {:<12}{:<24}{}", i == at ? '>' : ' ', i, text_of(model[i]),
+                                text_of(rtl[i])));
+  }
+}
+
 std::vector<std::string> side_by_side(const Frame& frame, const std::vector<FragmentCycles>& rtl,
                                       const std::vector<FragmentCycles>& model, std::size_t at) {
   const Fragment& f = frame.trace.all_fragments[at];
@@ -20,13 +34,17 @@ std::vector<std::string> side_by_side(const Frame& frame, const std::vector<Frag
   std::vector<std::string> lines = {
       fmt::format("fragment {} of object {}, texel ({}, {}): cycles of pass 2 from taken to answered",
                   at, f.object, texel(f.position.x, frame.config.map_width),
-                  texel(f.position.y, frame.config.map_height)),
-      fmt::format("  {:<12}{:<24}{}", "fragment", "systemc", "rtl")};
-  const std::size_t last = std::min(rtl.size(), at + kAround + 1);
-  for (std::size_t i = at > kAround ? at - kAround : 0; i < last; ++i) {
-    lines.push_back(fmt::format("{} {:<12}{:<24}{}", i == at ? '>' : ' ', i, text_of(model[i]),
-                                text_of(rtl[i])));
-  }
+                  texel(f.position.y, frame.config.map_height))};
+  add_timelines("fragment", rtl, model, at, lines);
+  return lines;
+}
+
+std::vector<std::string> first_triangle(const Frame& frame, const std::vector<std::uint64_t>& rtl,
+                                        const std::vector<std::uint64_t>& model, std::size_t at) {
+  std::vector<std::string> lines = {
+      fmt::format("triangle {} of object {}: cycle of pass 1 in which it was taken", at,
+                  frame.trace.all_casters[at].object)};
+  add_timelines("triangle", rtl, model, at, lines);
   return lines;
 }
 
@@ -78,6 +96,11 @@ CycleCheck check_cycles(const Frame& frame, const Expected& expected, const RtlE
   const std::vector<Verdict> verdicts = run_frame(frame, model);
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     check.verdict_differences += verdicts[i] != expected.verdicts[i];
+  }
+  const std::vector<std::uint64_t>&drawn = model.triangle_cycles(), &taken = rtl.triangle_cycles();
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    if (drawn[i] == taken[i]) continue;
+    if (check.cycle_differences++ == 0) check.first = first_triangle(frame, taken, drawn, i);
   }
   const std::vector<FragmentCycles>&a = model.fragment_cycles(), &b = rtl.fragment_cycles();
   for (std::size_t i = 0; i < a.size(); ++i) {

@@ -84,12 +84,33 @@ void draw_registers(Dice& dice, UnitConfig& c) {
 
 Timing draw_timing(Dice& dice) {
   Timing timing;
-  timing.seed = static_cast<std::uint64_t>(dice.in(0, 1 << 30));
+  const auto draw = [&](std::int64_t low, std::int64_t high) {
+    return static_cast<std::uint32_t>(dice.in(low, high));
+  };
+  timing.seed = draw(0, 1 << 30);
   if (dice.one_in(2)) return timing;
-  timing.latency = static_cast<std::uint32_t>(dice.in(1, 60));
-  timing.spread = dice.one_in(2) ? 0 : static_cast<std::uint32_t>(dice.in(1, 100));
-  timing.memory_stall = dice.one_in(2) ? 0 : static_cast<std::uint32_t>(dice.in(1, 70));
-  timing.stream_stall = dice.one_in(2) ? 0 : static_cast<std::uint32_t>(dice.in(1, 70));
+  timing.latency = draw(1, dice.one_in(4) ? 200 : 60);
+  timing.spread = dice.one_in(2) ? 0 : draw(1, 100);
+  timing.memory_stall = dice.one_in(2) ? 0 : draw(1, 70);
+  timing.stream_stall = dice.one_in(2) ? 0 : draw(1, 70);
+  if (dice.one_in(2)) {
+    timing.interval = draw(1, 4);
+    timing.outstanding = dice.one_in(2) ? 0 : draw(1, 20);
+  }
+  if (dice.one_in(4)) {
+    timing.banks = dice.pick({1u, 2u, 4u, 8u});
+    timing.bank_busy = draw(1, 6);
+    timing.row_words = dice.pick({0u, 4u, 64u});
+    timing.row_miss = draw(0, 12);
+  }
+  // From tiny to as large as such a frame's memories.
+  for (CacheShape* cache : {&timing.texel_cache, &timing.slb_cache}) {
+    if (!dice.one_in(3)) continue;
+    cache->lines = static_cast<std::uint32_t>(dice.magnitude(10));
+    cache->ways = draw(1, 4);
+    cache->line_words = dice.pick({1u, 2u, 3u, 8u});
+  }
+  timing.cache_latency = draw(1, 10);
   return timing;
 }
 

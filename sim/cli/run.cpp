@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 #include "sim/cli/commands.h"
@@ -16,6 +19,7 @@
 #include "sim/report/pictures.h"
 #include "sim/report/table.h"
 #include "sim/report/timeline_json.h"
+#include "sim/report/timeline_vcd.h"
 #include "sim/report/verdicts.h"
 #include "sim/systemc/engine.h"
 #include "testbench/synthesis/gates.h"
@@ -29,7 +33,7 @@ struct RunOptions {
   InputOptions input;
   SettingsOptions settings;
   SimulateOptions simulate;
-  std::string folder = "out", json, verdicts, timeline, window = "0-20000", pass = "2";
+  std::string folder = "out", json, verdicts, timeline, waves, window = "0-20000", pass = "2";
   bool no_reference = false, no_images = false, scene_exact = false;
 };
 
@@ -50,19 +54,42 @@ SceneExact check_scene(const Scene& scene, const LightSpace& light_space, const 
   return exact;
 }
 
-/// Nothing without --timeline.
+/// Nothing without --timeline and --waves.
 std::optional<Timeline> window_of(const RunOptions& options) {
-  if (options.timeline.empty()) return std::nullopt;
+  if (options.timeline.empty() && options.waves.empty()) return std::nullopt;
   if (options.simulate.engine == "golden") {
-    throw UserError("--timeline", "golden has no clock", "add --engine systemc or rtl");
+    throw UserError(options.timeline.empty() ? "--waves" : "--timeline", "golden has no clock",
+                    "leave --engine golden out");
   }
-  const auto pass = static_cast<unsigned>(parse_number("--timeline-pass", options.pass, 1, 2));
+  const auto pass = static_cast<unsigned>(parse_number("--window-pass", options.pass, 1, 2));
   const std::size_t dash = options.window.find('-', 1);
-  const double first = parse_number("--timeline-cycles", options.window.substr(0, dash), 0, 1e15);
+  const double first = parse_number("--window", options.window.substr(0, dash), 0, 1e15);
   const double last = dash == std::string::npos
                           ? first
-                          : parse_number("--timeline-cycles", options.window.substr(dash + 1), first, 1e15);
+                          : parse_number("--window", options.window.substr(dash + 1), first, 1e15);
   return Timeline(pass, static_cast<Cycle>(first), static_cast<Cycle>(last));
+}
+
+/// The engine that fills the timeline. Waves of the Verilog go to a file at once.
+std::unique_ptr<Engine> make_traced(const std::string& name, const UnitConfig& config,
+                                    Timeline* timeline, const std::string& waves) {
+  if (name == "systemc") return make_systemc_engine({{}, true, timeline});
+  if (name != "rtl") return make_engine(name);
+  const BuildKind kind = waves.empty() ? BuildKind::kFast : BuildKind::kTrace;
+  auto engine = std::make_unique<RtlEngine>(RtlOptions{kind, {}, true, timeline, {}});
+  if (!waves.empty()) {
+    engine->prepare(config).trace_pass(
+        waves.c_str(), timeline->pass() == 1 ? bench::Pass::kDraw : bench::Pass::kDecide,
+        timeline->first(), timeline->last());
+  }
+  return engine;
+}
+
+std::string text_of_file(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
 }
 
 void add_fragments(const std::vector<FragmentCycles>& cycles, Timeline& timeline) {
@@ -90,12 +117,18 @@ void run(RunOptions& options) {
   Settings settings = load_settings(options.settings);
   make_engine(options.simulate.engine);  // refuses an unknown one before any work
   std::optional<Timeline> timeline = window_of(options);
+  const bool rtl_waves = !options.waves.empty() && options.simulate.engine == "rtl";
+  const std::string fst = rtl_waves ? options.waves + ".part" : "";
+  const PartGuard fst_guard(fst);
+  const std::shared_ptr<void> fst_removed(nullptr, [fst](void*) {
+    std::error_code ignored;
+    if (!fst.empty()) std::filesystem::remove(fst, ignored);
+  });
   if (timeline) {
     // The first engine's; a second one runs for the judgement alone.
-    options.simulate.make = [to = &*timeline](const std::string& name) mutable {
+    options.simulate.make = [&, to = &*timeline](const std::string& name) mutable {
       Timeline* const first = std::exchange(to, nullptr);
-      if (name == "rtl") return make_rtl_engine({BuildKind::kFast, {}, true, first, {}});
-      return make_systemc_engine({{}, true, first});
+      return make_traced(name, settings.config, first, first ? fst : "");
     };
   }
 
@@ -114,7 +147,8 @@ void run(RunOptions& options) {
       options.verdicts.empty() ? nullptr : &outputs.open(options.verdicts, "--verdicts");
 
   std::ostream* timeline_file =
-      timeline ? &outputs.open(options.timeline, "--timeline") : nullptr;
+      options.timeline.empty() ? nullptr : &outputs.open(options.timeline, "--timeline");
+  std::ostream* waves = options.waves.empty() ? nullptr : &outputs.open(options.waves, "--waves");
 
   Stopwatch watch;
   const Source source = resolve_input(options.input);
@@ -149,7 +183,8 @@ void run(RunOptions& options) {
   if (timeline) {
     add_fragments(result.fragment_cycles, *timeline);
     timeline->finish();
-    *timeline_file << timeline_json(*timeline);
+    if (timeline_file) *timeline_file << timeline_json(*timeline);
+    if (waves) *waves << (rtl_waves ? text_of_file(fst) : timeline_vcd(*timeline));
   }
   const std::string text = report_json(trace, result).dump(2) + "\n";
   report << text;
@@ -163,12 +198,13 @@ void run(RunOptions& options) {
 
 void add_run(CLI::App& app) {
   auto options = std::make_shared<RunOptions>();
+  options->simulate.engine = "systemc";
   CLI::App& command = *app.add_subcommand(
       "run", "Decides the shadows of a frame as the unit would, and judges every verdict");
   add_input_options(command, options->input, InputUse::kRun);
   add_settings_options(command, options->settings);
   command.add_option("--engine", options->simulate.engine, 
-                   "What decides: golden; systemc, which also tells the cycles; or rtl (the Verilog, simulated)")
+                   "What decides: systemc, which also tells the cycles; golden, which does not; or rtl (the Verilog, simulated)")
       ->type_name("NAME")
       ->capture_default_str()
       ->group("Unit");
@@ -185,11 +221,15 @@ void add_run(CLI::App& app) {
   command.add_option("--timeline", options->timeline, "What the unit did when, for Perfetto")
       ->type_name("FILE")
       ->group("Output");
-  command.add_option("--timeline-cycles", options->window, "Of which cycles")
+  command.add_option("--waves", options->waves,
+                     "Waves: VCD of blocks and queues; with --engine rtl FST of every signal")
+      ->type_name("FILE")
+      ->group("Output");
+  command.add_option("--window", options->window, "Cycles of --timeline and --waves")
       ->type_name("A-B")
       ->capture_default_str()
       ->group("Output");
-  command.add_option("--timeline-pass", options->pass, "Of which pass")
+  command.add_option("--window-pass", options->pass, "The pass whose cycles these are")
       ->type_name("1|2")
       ->capture_default_str()
       ->group("Output");

@@ -21,6 +21,13 @@ inline Timing configured_timing(const UnitConfig& config) {
   set(timing.bank_busy, config.memory_bank_busy);
   set(timing.row_words, config.memory_row_words);
   set(timing.row_miss, config.memory_row_miss);
+  set(timing.texel_cache.lines, config.texel_cache_lines);
+  set(timing.texel_cache.ways, config.texel_cache_ways);
+  set(timing.texel_cache.line_words, config.texel_cache_line_words);
+  set(timing.slb_cache.lines, config.slb_cache_lines);
+  set(timing.slb_cache.ways, config.slb_cache_ways);
+  set(timing.slb_cache.line_words, config.slb_cache_line_words);
+  set(timing.cache_latency, config.cache_latency);
   set(timing.seed, config.memory_seed);
   return timing;
 }

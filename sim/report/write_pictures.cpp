@@ -30,6 +30,10 @@ void write_pictures(const Trace& trace, const RunResult& result, const std::stri
   if (width > 0 && height > 0 && !result.fragment_cycles.empty()) {
     pictures.push_back({"cycles.png", [&] { return encode_png(cycle_picture(trace, result)); }});
   }
+  if (result.cycles) {
+    pictures.push_back(
+        {"map_cycles.png", [&] { return encode_png(map_cycle_picture(trace, result)); }});
+  }
   if (width > 0 && height > 0) {
     pictures.push_back({"frame.exr", [&] { return frame_exr(trace, result); }});
   }

@@ -48,13 +48,19 @@ void SystemcEngine::begin(const UnitConfig& config, const FrameSetup& setup) {
     unit_->trace(options_.timeline);
   }
   fragment_cycles_.clear();
+  triangle_cycles_.clear();
   unit_->begin(config, setup, options_.timing.value_or(configured_timing(config)));
 }
 
 void SystemcEngine::announce(const Fragment* fragments, std::size_t count) {
   unit_->announce(fragments, count);
 }
-void SystemcEngine::draw(const Caster* casters, std::size_t count) { unit_->draw(casters, count); }
+void SystemcEngine::draw(const Caster* casters, std::size_t count) {
+  const Cycle before = unit_->drawn();
+  unit_->draw(casters, count);
+  if (!options_.keep_cycles) return;
+  for (const Cycle taken : unit_->taken()) triangle_cycles_.push_back(before + taken);
+}
 
 void SystemcEngine::decide(const Fragment* fragments, std::size_t count, Verdict* verdicts) {
   FragmentCycles* cycles = nullptr;

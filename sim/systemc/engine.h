@@ -40,6 +40,9 @@ class SystemcEngine : public Engine {
   /// Empty where pass 2 is not timed, too.
   const std::vector<FragmentCycles>& fragment_cycles() const override { return fragment_cycles_; }
 
+  /// When each triangle was taken, pass 1's first cycle being 0; empty where cycles are not kept.
+  const std::vector<std::uint64_t>& triangle_cycles() const { return triangle_cycles_; }
+
   /// For frames to come.
   void set_timing(const Timing& timing) { options_.timing = timing; }
  private:
@@ -50,6 +53,7 @@ class SystemcEngine : public Engine {
   std::int64_t lanes_ = 0;
   std::unique_ptr<tlm_model::ShadowUnit> unit_;
   std::vector<FragmentCycles> fragment_cycles_;
+  std::vector<std::uint64_t> triangle_cycles_;
 };
 
 std::unique_ptr<Engine> make_systemc_engine(SystemcOptions options = {});

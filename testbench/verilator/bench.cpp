@@ -60,14 +60,12 @@ class VerilatedBench final : public Bench {
     memories_.records.clear();
     probes_.clear();
   }
-
   void set_timing(const Timing& timing) override {
     timing_ = timing;
     stuck_after_ = kStuck + ReadTiming::longest_delay(timing);
     passes_.fill(0);
     memories_.configure(timing);
   }
-
   void write(Register at, std::uint32_t value) override {
     offer_write(at, value);
     while (top_->s_awvalid_i) cycle();
@@ -93,10 +91,10 @@ class VerilatedBench final : public Bench {
 
   bool wipe() override { return run(Pass::kWipe, 0, Nothing{}); }
   bool settle() override { return run(Pass::kSettle, 0, Nothing{}); }
-  bool draw(const Triangle* beats, std::size_t count) override {
+  bool draw(const Triangle* beats, std::size_t count, std::uint64_t* taken) override {
     std::uint32_t items = 0;
     for (std::size_t i = 0; i < count; ++i) items += !beats[i].is_plane;
-    return run(Pass::kDraw, items, Triangles{beats, count});
+    return run(Pass::kDraw, items, Triangles{beats, count, taken});
   }
   bool announce(const Fragment* fragments, std::size_t count) override {
     return run(Pass::kAnnounce, static_cast<std::uint32_t>(count),
@@ -131,18 +129,18 @@ class VerilatedBench final : public Bench {
     return {memories_.records.memory.words(), SlbMemory::kStride, widths::slb_wr_data_o,
             SlbMemory::kCount};
   }
-
   void record(Timeline* timeline) override {
     timeline_ = timeline;
     memories_.texels.trace(timeline);
     memories_.records.trace(timeline);
     probes_.trace(timeline);
   }
-
   void trace(const char* path, std::uint64_t first, std::uint64_t last) override {
     waves_.open(path, first, last);
   }
-
+  void trace_pass(const char* path, Pass pass, std::uint64_t first, std::uint64_t last) override {
+    waves_.open_in_pass(path, pass, first, last);
+  }
   void write_coverage(const char* path) override {
 #if KAGESEN_COVERAGE
     context_.coveragep()->write(path);
@@ -192,6 +190,7 @@ class VerilatedBench final : public Bench {
     memories_.texels.begin_pass(pass, number, pass_first_);
     memories_.records.begin_pass(pass, number, pass_first_);
     stalls_.begin_pass(timing_, number);
+    waves_.begin_pass(pass, cycles_[std::size_t(pass)].total, pass_first_);
     if (timeline_ == nullptr) return;
     const unsigned which = pass == Pass::kDraw ? 1 : pass == Pass::kDecide ? 2 : 0;
     timeline_->begin(which, cycles_[std::size_t(pass)].total);

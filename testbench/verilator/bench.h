@@ -113,7 +113,8 @@ class Bench {
   virtual bool wipe() = 0;
   virtual bool announce(const Fragment* fragments, std::size_t count) = 0;
   /// `count` beats, of which planes are no items.
-  virtual bool draw(const Triangle* beats, std::size_t count) = 0;
+  /// @param taken  if not null: when each item was, from the pass's first cycle on
+  virtual bool draw(const Triangle* beats, std::size_t count, std::uint64_t* taken = nullptr) = 0;
   virtual bool settle() = 0;
   /// @param cycles  if not null: of each fragment, from the pass's first cycle on
   virtual bool decide(const Fragment* fragments, std::size_t count, Verdict* verdicts,
@@ -139,6 +140,8 @@ class Bench {
   /// Writes an FST wave of the cycles from `first` to `last`; only in a build with waves. A null
   /// path ends it early.
   virtual void trace(const char* path, std::uint64_t first, std::uint64_t last) = 0;
+  /// The same of cycles of a pass, `first` and `last` counting from the first of all such passes.
+  virtual void trace_pass(const char* path, Pass pass, std::uint64_t first, std::uint64_t last) = 0;
   /// Adds this run's coverage to a file; only in a build with coverage.
   virtual void write_coverage(const char* path) = 0;
 };

@@ -28,9 +28,9 @@ class ReadPorts {
     for (Port& p : ports_) p.configure(timing);
   }
   void begin_pass(Pass pass, PassNumber number, Cycle first) {
+    for (unsigned l = 0; l < kLanes; ++l) keep_counts(l);
     pass_ = pass;
     for (unsigned l = 0; l < kLanes; ++l) {
-      keep_counts(l);
       ports_[l].begin_pass(number, channel_, l, first);
       if (timeline_ != nullptr) {
         track_[l] = timeline_->track(owner(pass, l) + "." + name_ + "_port", Timeline::Kind::kWork);

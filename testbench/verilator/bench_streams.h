@@ -52,7 +52,9 @@ struct Nothing {
 
 struct Triangles {
   const Triangle* beats;
-  std::size_t count, next = 0;
+  std::size_t count;
+  std::uint64_t* cycles;  // of the next item; may be null
+  std::size_t next = 0;
   bool taken = false;  // in this cycle
 
   void offer(Stage& s) {
@@ -75,7 +77,9 @@ struct Triangles {
   }
   bool take(Stage& s) {
     taken = s.top.tri_valid_i && s.top.tri_ready_o;
-    if (taken && !beats[next++].is_plane) ++s.items;
+    if (!taken || beats[next++].is_plane) return taken;
+    ++s.items;
+    if (cycles != nullptr) *cycles++ = s.now;
     return taken;
   }
   void edge(Stage& s) {

@@ -137,6 +137,7 @@ void RtlEngine::begin(const UnitConfig& config, const FrameSetup& setup) {
   drawn_ = decided_ = 0;
   settled_ = true;
   fragment_cycles_.clear();
+  triangle_cycles_.clear();
   bench_->set_timing(options_.timing.value_or(configured_timing(config)));
   bench_->clear();
   bench_->record(options_.timeline);
@@ -210,7 +211,14 @@ void RtlEngine::draw(const Caster* casters, std::size_t count) {
     beat.shares = shares;
     beats.push_back(beat);
   }
-  cut_ = !bench_->draw(beats.data(), beats.size());
+  std::uint64_t* taken = nullptr;
+  if (options_.keep_cycles) {
+    triangle_cycles_.resize(drawn_);
+    taken = triangle_cycles_.data() + drawn_ - count;
+  }
+  const std::uint64_t before = bench_->cycles(Pass::kDraw).total;
+  cut_ = !bench_->draw(beats.data(), beats.size(), taken);
+  for (std::size_t i = 0; taken && i < count; ++i) taken[i] += before;
 }
 
 void RtlEngine::settle() const {

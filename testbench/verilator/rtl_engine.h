@@ -37,6 +37,9 @@ class RtlEngine : public Engine {
   std::optional<CycleReport> cycles() const override;
   const std::vector<FragmentCycles>& fragment_cycles() const override { return fragment_cycles_; }
 
+  /// When each triangle was taken, pass 1's first cycle being 0; empty where cycles are not kept.
+  const std::vector<std::uint64_t>& triangle_cycles() const { return triangle_cycles_; }
+
   /// For frames to come.
   void set_timing(const Timing& timing) { options_.timing = timing; }
   /// Gets the bench ready before a frame begins.
@@ -65,6 +68,7 @@ class RtlEngine : public Engine {
   std::uint64_t decided_before_ = 0;
   mutable bool settled_ = true, cut_ = false;
   std::vector<FragmentCycles> fragment_cycles_;
+  std::vector<std::uint64_t> triangle_cycles_;
 };
 
 std::unique_ptr<Engine> make_rtl_engine(RtlOptions options = {});

@@ -91,7 +91,7 @@ TEST_F(CliRun, StableKeys) {
   EXPECT_EQ(r.at("input").at("name"), "torus");
   EXPECT_EQ(r.at("input").at("sha256").get<std::string>().size(), 64u);
   EXPECT_EQ(r.at("config").at("map_width"), 128);
-  EXPECT_EQ(r.at("engine"), "golden");
+  EXPECT_EQ(r.at("engine"), "systemc");
   const std::uint64_t dark = r.at("verdict").at("dark"), lit = r.at("verdict").at("lit");
   EXPECT_EQ(dark + lit, r.at("verdict").at("fragments"));
   EXPECT_GT(dark, 0u);

@@ -1,5 +1,7 @@
 /// What the program tells of the SystemC model: report, heat map, timeline, explanation.
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 
 #include "tests/sim/program.h"
 
@@ -57,11 +59,17 @@ TEST_F(CliSystemc, SlowerMemoryCostsMore) {
 }
 
 TEST_F(CliSystemc, TimelineHoldsItsWindowAlone) {
-  expect_refusal({"run", "glyphs", "--timeline", "t.json", "--out", "o"}, {"--timeline", "systemc"});
+  expect_refusal({"run", "glyphs", "--engine", "golden", "--timeline", "t.json", "--out", "o"},
+                 {"--timeline", "golden"});
   const Outcome outcome = run(small({"run", "glyphs", "--engine", "systemc", "--no-reference",
-                                     "--timeline", "t.json", "--timeline-cycles", "100-200"}));
+                                     "--timeline", "t.json", "--waves", "t.vcd", "--window", "100-200"}));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_TRUE(std::filesystem::exists(path("out/cycles.png")));
+  EXPECT_TRUE(std::filesystem::exists(path("out/map_cycles.png")));
+  const std::string waves = read_file(path("t.vcd"));
+  for (const char* words : {"$enddefinitions", "slots", "lane0_state", "#100\n", "sfragment ", "#201\n"}) {
+    EXPECT_NE(waves.find(words), std::string::npos) << words;
+  }
   const Json timeline = Json::parse(read_file(path("t.json")));
   std::size_t fragments = 0, reads = 0;
   for (const Json& event : timeline.at("traceEvents")) {
@@ -76,6 +84,88 @@ TEST_F(CliSystemc, TimelineHoldsItsWindowAlone) {
   }
   EXPECT_GT(fragments, 50u);
   EXPECT_GT(reads, 50u);
+}
+
+TEST_F(CliSystemc, QueuesAndReadsAddUp) {
+  for (const char* profile : {"profile=paper", "profile=winding"}) {
+    const Json report = json_of({"run", "glyphs", "--no-reference", "--no-images", "--set", profile});
+    EXPECT_EQ(report.at("engine"), "systemc");  // unless something else is asked for
+    for (const char* pass : {"pass1", "pass2"}) {
+      const Json& cycles = report.at("cycles").at(pass);
+      EXPECT_GE(cycles.at("queues").size(), 3u);
+      for (const auto& [name, queue] : cycles.at("queues").items()) {
+        std::uint64_t sum = 0, words = 0, n = 0;
+        for (const Json& count : queue.at("cycles")) {
+          sum += count.get<std::uint64_t>();
+          words += n++ * count.get<std::uint64_t>();
+        }
+        EXPECT_EQ(sum, cycles.at("total").get<std::uint64_t>()) << pass << " " << name;
+        EXPECT_NEAR(queue.at("mean").get<double>(), double(words) / double(sum), 1e-6) << name;
+      }
+    }
+    // A fragment stays from its acceptance to its verdict.
+    const Json& pass2 = report.at("cycles").at("pass2");
+    EXPECT_NEAR(pass2.at("queues").at("lane0.slots").at("mean").get<double>(),
+                pass2.at("fragment").at("in_flight").get<double>(), 0.1);
+    EXPECT_GT(report.at("cycles").at("pass1").at("caches").size(), 0u);
+  }
+}
+
+TEST_F(CliSystemc, CachesTakeReadsFromTheMemory) {
+  const auto pass2 = [&](const char* setting, const char* other) {
+    return json_of({"run", "glyphs", "--no-reference", "--no-images", "--set", "memory_latency=100",
+                    "--set", "memory_interval=2", "--set", "fragment_slots=16", "--set", setting, "--set", other})
+        .at("cycles").at("pass2");
+  };
+  const Json none = pass2("texel_cache_lines=0", "slb_cache_lines=0");
+  EXPECT_FALSE(none.contains("caches"));
+  std::uint64_t before = none.at("total"), misses = ~std::uint64_t{0};
+  for (const char* lines : {"texel_cache_lines=4", "texel_cache_lines=4096"}) {
+    const Json cached = pass2(lines, "slb_cache_lines=64");
+    const Json& cache = cached.at("caches").at("lane0.texel_cache");
+    EXPECT_EQ(cache.at("lookups"), none.at("traffic").at("texel_reads"));
+    EXPECT_LT(cache.at("misses").get<std::uint64_t>(), misses);
+    misses = cache.at("misses");
+    EXPECT_TRUE(cached.at("caches").contains("lane0.slb_cache"));
+    EXPECT_LT(cached.at("total").get<std::uint64_t>(), before) << lines;
+    before = cached.at("total");
+  }
+}
+
+/// Names of figures, wherever they stand; what is named by an instance or a cause is not one.
+void collect_names(const Json& json, std::set<std::string>& names) {
+  for (const auto& [name, value] : json.items()) {
+    names.insert(name);
+    if (!value.is_object() || name == "causes") continue;
+    if (name == "queues" || name == "caches") {
+      for (const Json& of : value) collect_names(of, names);
+    } else if (name != "worst_tile") {
+      collect_names(value, names);
+    }
+  }
+}
+
+TEST_F(CliSystemc, EveryCounterHasItsLineInTheDocs) {
+  std::set<std::string> told, known;
+  std::istringstream docs(read_file(std::string(KAGESEN_DOCS) + "/counters.md"));
+  for (std::string line; std::getline(docs, line);) {
+    if (line.rfind("| `", 0) == 0) told.insert(line.substr(3, line.find('`', 3) - 3));
+  }
+  for (const char* profile : {"profile=paper", "profile=winding"}) {
+    const Json report = json_of({"run", "glyphs", "--no-reference", "--no-images", "--set", profile});
+    for (const char* part : {"counters", "skips", "cycles"}) {
+      if (report.contains(part)) collect_names(report.at(part), known);
+    }
+  }
+  for (const char* name : {"pass1", "pass2"}) known.erase(name);
+  for (const char* name : {"clock", "fmax_mhz", "source", "frames_per_s"}) known.insert(name);
+  EXPECT_EQ(told, known);
+  const std::string schema = read_file(std::string(KAGESEN_DOCS) + "/report.schema.json");
+  const Json counters = json_of({"run", "glyphs", "--no-reference", "--no-images"}).at("counters");
+  for (const std::string& name : told) {
+    if (counters.contains(name)) continue;  // the schema has them without names
+    EXPECT_NE(schema.find('"' + name + '"'), std::string::npos) << name;
+  }
 }
 
 TEST_F(CliSystemc, ExplainsInFiveLines) {

@@ -44,26 +44,48 @@ TEST_F(CheckCli, AgreesUnderStallsAndAfterFramesCutShort) {
                                "--map",           "64",     "--set",    "profile=" + profile,
                                "--frames",        "4",      "--abort",  "3",
                                "--latency",       "1-60",   "--stalls", "30",
-                               "--stream-stalls", "30",     "--build",  "check",
-                               "--json",          "-"});
+                               "--stream-stalls", "30",     "--json",   "-"});
     expect_equal(json);
     EXPECT_EQ(json.at("cut_frames"), 12);
   }
 }
 
-TEST_F(CheckCli, AgreesWithTwoLanesAndOtherWidths) {
+/// One build with assertions a profile: few slots and visits ahead, lanes, narrow fields, caches.
+std::vector<std::string> with_assertions(const std::string& profile) {
+  return {"--set", "profile=" + profile, "--set", "lanes=2", "--set", "fraction_bits=4",
+          "--set", "fragment_slots=2",   "--set", "visit_fifo_depth=1"};
+}
+
+TEST_F(CheckCli, AgreesWithTwoLanesFewSlotsAndCaches) {
   for (const std::string profile : {"paper", "winding"}) {
     std::vector<std::string> arguments{
-        "check",           "glyphs",  "--image",  "64x36",
-        "--map",           "64",      "--set",    "profile=" + profile,
-        "--set",           "lanes=2", "--set",    "fraction_bits=4",
-        "--frames",        "2",       "--abort",  "2",
-        "--latency",       "1-60",    "--stalls", "30",
-        "--stream-stalls", "30",      "--build",  "check",
-        "--json",          "-"};
+        "check",    "glyphs", "--image",         "64x36", "--map",   "64",    "--frames", "2",
+        "--abort",  "2",      "--latency",       "1-60",  "--build", "check", "--stalls", "30",
+        "--set",    "texel_cache_lines=8",       "--set", "slb_cache_lines=3", "--json",  "-",
+        "--set",    "slb_cache_line_words=2",    "--stream-stalls", "30"};
+    for (const std::string& word : with_assertions(profile)) arguments.push_back(word);
     const Json json = json_of(arguments);
     expect_equal(json);
     EXPECT_EQ(json.at("frames"), 2);
+  }
+}
+
+/// The same tracks, and on each the same events in the same cycles.
+TEST_F(CheckCli, TimelinesOfBothEnginesAreTheSame) {
+  for (const std::string profile : {"paper", "winding"}) {
+    for (const std::string pass : {"1", "2"}) {
+      std::string timelines[2];
+      for (const std::string engine : {"systemc", "rtl"}) {
+        const Outcome outcome =
+            run({"run", "solids", "--engine", engine, "--image", "64x36", "--map", "64",
+                 "--no-images", "--no-reference", "--set", "profile=" + profile, "--timeline",
+                 "t.json", "--window-pass", pass, "--window", "500-2500"});
+        ASSERT_EQ(outcome.status, 0) << outcome.err;
+        timelines[engine == "rtl"] = read_file(path("t.json"));
+      }
+      EXPECT_GT(timelines[0].size(), 10'000u);
+      EXPECT_EQ(timelines[0] == timelines[1], true) << profile << ", pass " << pass;
+    }
   }
 }
 
@@ -91,16 +113,24 @@ TEST_F(CheckCli, TheReportSaysWhereTheCyclesWent) {
 }
 
 TEST_F(CheckCli, StressAndSoakFindNothing) {
-  const Json stress = json_of({"stress", "--engine", "rtl", "--cases", "2", "--json", "-"});
+  // The profile is theirs to draw.
+  std::vector<std::string> build = with_assertions("paper");
+  build.erase(build.begin(), build.begin() + 2);
+  const auto with_build = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), build.begin(), build.end());
+    return arguments;
+  };
+  const Json stress =
+      json_of(with_build({"stress", "--engine", "rtl", "--cases", "2", "--json", "-"}));
   EXPECT_EQ(stress.at("total").at("violations"), 0);
   EXPECT_GT(stress.at("total").at("verdicts_compared"), 0);
 
-  const Json soak =
-      json_of({"soak", "--fragments", "3000", "--image", "32x18", "--seed", "3", "--json", "-"});
+  const Json soak = json_of(with_build(
+      {"soak", "--fragments", "3000", "--image", "32x18", "--seed", "3", "--json", "-"}));
   EXPECT_EQ(soak.at("total").at("violations"), 0);
   EXPECT_GE(soak.at("total").at("verdicts_compared"), 3000);
-  const Json more =
-      json_of({"soak", "--hours", "0.0002", "--image", "32x18", "--resume", "--json", "-"});
+  const Json more = json_of(with_build(
+      {"soak", "--hours", "0.0002", "--image", "32x18", "--resume", "--json", "-"}));
   EXPECT_GT(more.at("next_case"), soak.at("next_case"));
   EXPECT_EQ(more.at("seed"), 3);
 }

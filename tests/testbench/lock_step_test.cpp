@@ -127,6 +127,36 @@ TEST_P(LockStep, AFrameCutShortLeavesNothingBehind) {
   }
 }
 
+/// Far ends that never move, whatever the unit does: the bench gives up soon, and tells every channel.
+TEST_P(LockStep, AStuckUnitTellsItsChannels) {
+  const auto words_of = [&](std::uint32_t memory_stall, std::uint32_t stream_stall) -> std::string {
+    Timing timing;
+    timing.memory_stall = memory_stall;
+    timing.stream_stall = stream_stall;
+    engine_.set_timing(timing);
+    try {
+      run_frame(frame(), engine_);
+    } catch (const bench::Failure& failure) {
+      engine_.bench().reset();
+      return failure.what();
+    }
+    return "it was not stuck";
+  };
+  const std::string memory = words_of(100, 0);
+  EXPECT_NE(memory.find("stuck in pass 1"), std::string::npos) << memory;
+  EXPECT_NE(memory.find("texel writes: valid 1 ready 0"), std::string::npos) << memory;
+  EXPECT_NE(memory.find("lane0.slots 0"), std::string::npos) << memory;
+  EXPECT_EQ(words_of(99, 0), "it was not stuck");
+  const std::string streams = words_of(0, 100);
+  EXPECT_NE(streams.find("valid 0 ready"), std::string::npos) << streams;
+  for (const std::string& words : {memory, streams}) {
+    const std::string before = "nothing moved for ";
+    const std::size_t at = words.find(before);
+    ASSERT_NE(at, std::string::npos) << words;
+    EXPECT_LT(std::stoul(words.substr(at + before.size())), 9'000u) << words;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(, LockStep, testing::Values(Profile::kPaper, Profile::kWinding),
                          [](const auto& info) {
                            return info.param == Profile::kPaper ? "Paper" : "Winding";

@@ -50,7 +50,7 @@ TEST(Package, EveryBuildKeyReachesItsParameter) {
       {Profile::kPaper, "position_bits", "3", "PositionBits", "8"},  // Fraction's bits at least
       {Profile::kPaper, "lines_per_entry", "7", "LinesPerRecord", "7"},
       {Profile::kPaper, "lanes", "2", "Lanes", "2"},
-      {Profile::kPaper, "fragment_slots", "16", "FragmentSlots", "16"},
+      {Profile::kPaper, "fragment_slots", "16", "FragmentsInFlight", "16"},
       {Profile::kPaper, "visit_fifo_depth", "8", "VisitFifoDepth", "8"},
       {Profile::kPaper, "texel_lines", "128", "TexelLines", "128"},
       {Profile::kPaper, "record_lines", "32", "RecordLines", "32"},

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <systemc>
+#include <vector>
 
 #include "model/engine.h"
 #include "sim/memory/timing.h"
@@ -25,6 +26,9 @@ class ShadowUnit : public sc_core::sc_module {
   /// @param cycles  if not null: of each fragment, from the pass's first cycle on
   virtual void decide(const Fragment* fragments, std::size_t count, Verdict* verdicts,
                       FragmentCycles* cycles) = 0;
+  /// Cycles of pass 1 so far; and when each triangle of the last draw() was taken in it.
+  virtual Cycle drawn() const = 0;
+  virtual const std::vector<Cycle>& taken() const = 0;
   /// @param timeline  takes what happens in pass 2, its first cycle being 0; or null
   virtual void trace(Timeline* timeline) { static_cast<void>(timeline); }
   /// Of what is modelled.

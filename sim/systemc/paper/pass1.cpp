@@ -42,28 +42,7 @@ void Pass1::begin_frame(const UnitConfig& config, const FrameSetup& setup, const
   wipe_ = store_.wipe();
   draws_ = 0;
   total_ = 0;
-  traffic_ = {};
-  texel_words_ = {"store.texels.cache"};
-  records_ = {"store.records.records.cache"};
-  texel_cache_ = {"store.texel_cache"};
-  slb_cache_ = {"store.slb_cache"};
-}
-
-/// What the pass added to the frame's counts.
-void Pass1::count_reads() {
-  const MemoryPort &texels = store_.texels.port, &records = store_.records.port;
-  traffic_.texel_reads += texels.reads();
-  traffic_.texel_bytes += texels.reads() * texels.word_bytes();
-  traffic_.slb_reads += records.reads();
-  traffic_.slb_bytes += records.reads() * records.word_bytes();
-  texel_words_.lookups += store_.texels.cache.lookups();
-  texel_words_.misses += texels.reads();
-  records_.lookups += store_.records.cache.lookups();
-  records_.misses += records.reads();
-  texel_cache_.lookups += texel_memory_.cache().lookups();
-  texel_cache_.misses += texel_memory_.cache().misses();
-  slb_cache_.lookups += slb_memory_.cache().lookups();
-  slb_cache_.misses += slb_memory_.cache().misses();
+  reads_ = {};
 }
 
 void Pass1::draw(unit::ShadowUnit& golden, const Caster* casters, std::size_t count) {
@@ -88,7 +67,12 @@ void Pass1::draw(unit::ShadowUnit& golden, const Caster* casters, std::size_t co
   total_ += store_.finish(front_.idle());
   front_.causes().none(front_.idle(), kNever);
   store_.tell(front_.causes(), kNever);
-  count_reads();
+  const MemoryPort &texels = store_.texels.port, &records = store_.records.port;
+  reads_.add(texels, texel_memory_, records, slb_memory_);
+  reads_.texels.lookups += store_.texels.cache.lookups();
+  reads_.texels.misses += texels.reads();
+  reads_.records.lookups += store_.records.cache.lookups();
+  reads_.records.misses += records.reads();
 }
 
 void Pass1::report(CycleReport& report, const UnitCounters& counters) const {
@@ -99,10 +83,7 @@ void Pass1::report(CycleReport& report, const UnitCounters& counters) const {
   pass1.total = total_;
   pass1.items = counters.edge_texels + counters.span_texels;
   store_.report(pass1);
-  pass1.traffic = traffic_;
-  for (const CacheCounts& cache : {records_, slb_cache_, texel_cache_, texel_words_}) {
-    if (cache.lookups != 0) pass1.caches.push_back(cache);
-  }
+  reads_.report("store.records.records.cache", "store.texels.cache", pass1);
 }
 
 }  // namespace kagesen::tlm_model::paper

@@ -7,6 +7,7 @@
 
 #include "model/engine.h"
 #include "model/unit/shadow_unit.h"
+#include "sim/systemc/common/pass_reads.h"
 #include "sim/systemc/memory/memory.h"
 #include "sim/systemc/paper/front.h"
 #include "sim/systemc/paper/store.h"
@@ -32,12 +33,13 @@ class Pass1 : public sc_core::sc_module {
   }
   /// Where the records stand that a fragment reads.
   void locate(unit::FragmentTrail& trail) const { store_.locate(trail); }
+  /// Cycles of draw passes.
+  Cycle drawn() const { return total_; }
   /// When each triangle of the last draw() was taken.
   const std::vector<Cycle>& taken() const { return taken_; }
 
  private:
   void begin_pass(PassNumber number);
-  void count_reads();
 
   Front front_;
   Store store_;
@@ -47,9 +49,7 @@ class Pass1 : public sc_core::sc_module {
   unsigned texel_bits_ = 0, texel_bytes_ = 4, record_bytes_ = 4;
   std::uint32_t draws_ = 0;  // of this frame
   Cycle wipe_ = 0, total_ = 0;
-  MemoryTraffic traffic_;
-  CacheCounts texel_words_, records_;       // kept on chip
-  CacheCounts texel_cache_, slb_cache_;     // behind the ports
+  PassReads reads_;
   Timeline* timeline_ = nullptr;
   std::vector<Cycle> taken_;
 };

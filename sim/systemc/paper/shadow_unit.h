@@ -20,6 +20,8 @@ class PaperUnit : public ShadowUnit {
   void draw(const Caster* casters, std::size_t count) override;
   void decide(const Fragment* fragments, std::size_t count, Verdict* verdicts,
               FragmentCycles* cycles) override;
+  Cycle drawn() const override { return pass1_.drawn(); }
+  const std::vector<Cycle>& taken() const override { return pass1_.taken(); }
   void trace(Timeline* timeline) override {
     pass1_.trace(timeline);
     lanes_.trace(timeline);

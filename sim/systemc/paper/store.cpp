@@ -1,7 +1,6 @@
 #include "sim/systemc/paper/store.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "model/golden.h"
 #include "model/unit/address_generator.h"
@@ -33,6 +32,7 @@ void Store::reset(const UnitConfig& config) {
   edges_.assign(static_cast<std::size_t>(config.map_height) << pitch_log2_, 0);
   causes_.clear();
   for (QueueMeter& m : meters_) m.clear();
+  tile_meter_.reset(config);
 }
 
 void Store::begin_pass(unsigned texel_bytes, const Stalls& texel_writes, unsigned record_bytes,
@@ -126,7 +126,7 @@ void Store::pass_over(Cycle until) {
   while (now_ < until) {
     if (unchanged_) {
       const Cycle next = std::min({until, texels.next(now_), records.next(now_)});
-      if (next == kNever) throw std::logic_error("the store's model stands still");
+      if (next == kNever) stuck();
       count(cause_, next - now_);
       now_ = next;
       unchanged_ = false;

@@ -12,6 +12,7 @@
 #include "sim/systemc/common/fifo.h"
 #include "sim/systemc/common/queue_meter.h"
 #include "sim/systemc/common/store_causes.h"
+#include "sim/systemc/common/tile_meter.h"
 #include "sim/systemc/paper/record_links.h"
 #include "sim/systemc/paper/record_walk.h"
 #include "sim/systemc/paper/span_hints.h"
@@ -60,6 +61,8 @@ class Store : public sc_core::sc_module, public VisitTaker {
   bool step(const Operation* offered, bool begins);
   void pass_over(Cycle until);
   void count(StoreCause cause, Cycle cycles);
+  std::array<std::size_t, kQueueCount> words() const;  ///< that stand in the queues
+  [[noreturn]] void stuck() const;
 
   UnitConfig config_;
   unsigned pitch_log2_ = 0;
@@ -77,6 +80,7 @@ class Store : public sc_core::sc_module, public VisitTaker {
   StoreCause cause_ = StoreCause::kInput;  // of the last one
   StoreCauses causes_;
   std::array<QueueMeter, kQueueCount> meters_;
+  TileMeter tile_meter_;
 };
 
 }  // namespace kagesen::tlm_model::paper

@@ -43,6 +43,10 @@ class MemoryWindow : public sc_core::sc_module {
   }
   bool waits() const { return !ahead_valid_ && !payloads_.empty(); }
   bool reads() const { return reads_; }
+  // For meters.
+  std::size_t payloads() const { return payloads_.words(); }
+  std::size_t lines() const { return lines_.words(); }
+  bool holds_work() const { return payloads_.valid(); }  ///< work() is the oldest
   WordAddress read_address() const { return entry_.address; }
   unsigned read_line() const { return entry_.line; }
   bool in_ready(bool fetched) const {

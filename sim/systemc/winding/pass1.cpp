@@ -1,6 +1,5 @@
 #include "sim/systemc/winding/pass1.h"
 
-#include "model/cycle_causes.h"
 #include "model/golden.h"
 
 namespace kagesen::tlm_model::winding {
@@ -65,6 +64,7 @@ void Pass1::begin_frame(const UnitConfig& config, const FrameSetup& setup, const
   }
   drawn_ = 0;
   settled_ = true;
+  reads_ = {};
   store_.reset(config, static_cast<unsigned>(map_bits(config)));
   begin_pass(wipe_);
   wipe_.total = store_.wipe();
@@ -87,6 +87,7 @@ void Pass1::announce(unit::winding::ShadowUnit& golden, const Fragment* fragment
 
 void Pass1::draw(unit::winding::ShadowUnit& golden, const Caster* casters, std::size_t count) {
   settled_ = false;
+  if (timeline_ != nullptr) timeline_->begin(1, draw_.total);
   Offers offers(timing_, begin_pass(draw_), Channel::kTriangles);
   front_.begin_pass(config_, setup_.fraction_bits, store_);
   unit::winding::TriangleTrail trail;
@@ -103,6 +104,11 @@ void Pass1::draw(unit::winding::ShadowUnit& golden, const Caster* casters, std::
   draw_.total += store_.finish(front_.idle());
   front_.causes().none(front_.idle(), kNever);
   store_.tell(front_.causes(), kNever);
+  if (timeline_ != nullptr) timeline_->begin(0, 0);
+  const MemoryPort &texels = store_.texel_port.port, &records = store_.record_port();
+  reads_.add(texels, texel_memory_, records, slb_memory_);
+  reads_.records.lookups += store_.texels.silhouettes.records.lookups();
+  reads_.records.misses += records.reads();
 }
 
 void Pass1::settle(unit::winding::ShadowUnit& golden) {
@@ -123,9 +129,8 @@ void Pass1::report(CycleReport& report, const UnitCounters& counters) const {
   PassCycles& pass1 = report.pass1.emplace();
   pass1.total = draw_.total;
   pass1.items = counters.edge_texels + counters.span_texels;
-  for (std::size_t c = 0; c < Store::kCauses; ++c) {
-    pass1.causes.emplace_back(kStoreCauses[c], store_.causes()[c]);
-  }
+  store_.report(pass1);
+  reads_.report("store.records", "", pass1);
 }
 
 }  // namespace kagesen::tlm_model::winding

@@ -7,6 +7,7 @@
 
 #include "model/engine.h"
 #include "model/unit/winding/shadow_unit.h"
+#include "sim/systemc/common/pass_reads.h"
 #include "sim/systemc/memory/memory.h"
 #include "sim/systemc/winding/front.h"
 #include "sim/systemc/winding/store.h"
@@ -28,6 +29,13 @@ class Pass1 : public sc_core::sc_module {
   void settle(unit::winding::ShadowUnit& golden);
   /// Fills in what is of pass 1.
   void report(CycleReport& report, const UnitCounters& counters) const;
+  /// @param timeline  takes what happens in pass 1, its first cycle being 0; or null
+  void trace(Timeline* timeline) {
+    timeline_ = timeline;
+    store_.trace(timeline);
+  }
+  /// Cycles of draw passes.
+  Cycle drawn() const { return draw_.total; }
   /// When each triangle of the last draw() was taken.
   const std::vector<Cycle>& taken() const { return taken_; }
   /// Where a record is that golden gave out under this number.
@@ -53,6 +61,8 @@ class Pass1 : public sc_core::sc_module {
   Pass wipe_{1}, announce_{2}, draw_{3}, settle_{4};
   std::size_t drawn_ = 0;  // triangles
   bool settled_ = true;
+  PassReads reads_;  // of draw passes
+  Timeline* timeline_ = nullptr;
   std::vector<Cycle> taken_;
 };
 

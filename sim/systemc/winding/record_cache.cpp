@@ -19,6 +19,7 @@ void RecordCache::clear() {
 }
 
 void RecordCache::begin_pass(unsigned word_bytes, const Stalls& writes) {
+  lookups_ = 0;
   port.begin_pass(word_bytes);
   writes_ = writes;
   accepted_ = kNever;
@@ -45,6 +46,7 @@ Cycle RecordCache::next(Cycle from) const {
 }
 
 bool RecordCache::step(Cycle now, const Inputs& in) {
+  lookups_ += in.lookup;
   if (!lookup_ && !in.lookup && !in.update && idle()) return false;
   // ---- The memory ----
   if (reads() && accepted_ == kNever) {

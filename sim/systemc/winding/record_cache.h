@@ -33,6 +33,8 @@ class RecordCache : public sc_core::sc_module {
 
   // Of this cycle:
   bool hit() const { return hit_; }
+  /// Words that were looked up in this pass.
+  std::uint64_t lookups() const { return lookups_; }
   bool idle() const { return !read_valid_ && !write_valid_ && busy_count_ == 0; }
   bool looks_up() const { return lookup_; }
   bool update_ready(WordAddress address, Cycle now) const {
@@ -58,6 +60,7 @@ class RecordCache : public sc_core::sc_module {
   unsigned line_bits_ = 1;
   std::vector<Line> lines_;
   unsigned busy_count_ = 0;
+  std::uint64_t lookups_ = 0;
   bool lookup_ = false, forward_ = false, raced_ = false, read_valid_ = false, write_valid_ = false;
   WordAddress looked_up_ = 0, key_ = 0;  // key_: the word in the looked-up one's line
   WordAddress read_address_ = 0, write_address_ = 0;

@@ -20,7 +20,12 @@ class WindingUnit : public ShadowUnit {
   void draw(const Caster* casters, std::size_t count) override;
   void decide(const Fragment* fragments, std::size_t count, Verdict* verdicts,
               FragmentCycles* cycles) override;
-  void trace(Timeline* timeline) override { lanes_.trace(timeline); }
+  Cycle drawn() const override { return pass1_->drawn(); }
+  const std::vector<Cycle>& taken() const override { return pass1_->taken(); }
+  void trace(Timeline* timeline) override {
+    pass1_->trace(timeline);
+    lanes_.trace(timeline);
+  }
   CycleReport cycles() const override;
   const Engine& golden() const override {
     settle();

@@ -1,18 +1,15 @@
 #include "sim/systemc/winding/store.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace kagesen::tlm_model::winding {
 namespace {
 
-enum Cause : unsigned {
-  kEdge, kSpan, kOther, kInput, kSetup, kWalk, kTexel, kRecord, kChain, kWrite
-};
-
 /// Of work that leaves a stage.
-unsigned cause_of(Work::Kind kind) {
-  return kind == Work::kEdge ? kEdge : kind == Work::kSpan ? kSpan : kOther;
+StoreCause cause_of(Work::Kind kind) {
+  return kind == Work::kEdge   ? StoreCause::kEdge
+         : kind == Work::kSpan ? StoreCause::kSpan
+                               : StoreCause::kOther;
 }
 
 }  // namespace
@@ -27,7 +24,9 @@ void Store::reset(const UnitConfig& config, unsigned map_bits) {
   tiles.reset(config, map_bits);
   texels.reset(config, map_bits);
   texel_port.reset(map_bits);
-  causes_ = {};
+  causes_.clear();
+  for (QueueMeter& m : meters_) m.clear();
+  tile_meter_.reset(config);
 }
 
 void Store::begin_pass(bool draws, unsigned texel_bytes, const Stalls& texel_writes,
@@ -38,7 +37,8 @@ void Store::begin_pass(bool draws, unsigned texel_bytes, const Stalls& texel_wri
   now_ = 0;
   unchanged_ = settling_ = false;
   drawing_ = draws;
-  waits_.clear();
+  causes_.begin_pass();
+  for (QueueMeter& m : meters_) m.begin_pass();
 }
 
 /// The first cycle clears what is on chip; then a tile is written each cycle.
@@ -69,7 +69,7 @@ void Store::offer_visit(const Visit& visit) {
   work.kind = span ? Work::kSpan : Work::kEdge;
   work.place = static_cast<std::uint8_t>((y & 7) << 1 | (x >> 2 & 1));
   work.texels = static_cast<std::uint8_t>(span ? visit.mask : 1u << (x & 3));
-  offer_.tile = tile_of(visit.x, visit.y);
+  offer_.tile = work.tile = tile_of(visit.x, visit.y);
   for (unsigned i = 0; i < TexelBuffers::kTexels; ++i) {
     if ((work.texels >> i & 1) == 0) continue;
     const unit::winding::TexelVisit& texel = triangle_->visits[next_visit_++];
@@ -139,7 +139,7 @@ void Store::pass_over(Cycle until) {
     if (unchanged_) {
       const Cycle next =
           std::min({until, texel_port.next(now_), texels.silhouettes.records.next(now_)});
-      if (next == kNever) throw std::logic_error("the store's model stands still");
+      if (next == kNever) stuck();
       count(cause_, next - now_);
       now_ = next;
       unchanged_ = false;
@@ -150,28 +150,6 @@ void Store::pass_over(Cycle until) {
       step(false);
     }
   }
-}
-
-void Store::count(unsigned cause, Cycle cycles) {
-  if (cycles == 0 || !drawing_) return;
-  if (cause != kInput) {
-    causes_[cause] += cycles;
-  } else if (!waits_.empty() && waits_.back().to == now_) {
-    waits_.back().to += cycles;
-  } else {
-    waits_.push_back({now_, now_ + cycles});
-  }
-}
-
-void Store::tell(FrontCauses& front, Cycle until) {
-  std::size_t told = 0;
-  for (; told < waits_.size() && waits_[told].to <= until; ++told) {
-    const FrontCauses::Cycles cycles = front.of(waits_[told].from, waits_[told].to);
-    causes_[kInput] += cycles.none;
-    causes_[kSetup] += cycles.setup;
-    causes_[kWalk] += cycles.walk;
-  }
-  waits_.erase(waits_.begin(), waits_.begin() + static_cast<std::ptrdiff_t>(told));
 }
 
 TexelPort::Wants Store::wants() const {
@@ -189,31 +167,31 @@ TexelPort::Wants Store::wants() const {
 }
 
 /// Why this cycle is spent.
-unsigned Store::cause(const TexelPort::Does& does, bool offered) const {
+StoreCause Store::cause(const TexelPort::Does& does, bool offered) const {
   if (texels.running() && !texels.done()) {
     switch (texels.silhouettes.cause()) {
-      case SilhouetteBuffer::Cause::kRecord: return kRecord;
-      case SilhouetteBuffer::Cause::kWrite: return kWrite;
-      default: return kChain;
+      case SilhouetteBuffer::Cause::kRecord: return StoreCause::kRecord;
+      case SilhouetteBuffer::Cause::kWrite: return StoreCause::kWrite;
+      default: return StoreCause::kChain;
     }
   }
   if (texels.pop()) {
-    const unsigned done = cause_of(texels.window.work().kind);
-    if (done != kOther) return done;
+    const StoreCause done = cause_of(texels.window.work().kind);
+    if (done != StoreCause::kOther) return done;
   }
   if (texels.pop() || texels.window.valid()) {
-    return texels.writes() && !does.word_ready ? kWrite : kOther;
+    return texels.writes() && !does.word_ready ? StoreCause::kWrite : StoreCause::kOther;
   }
-  if (texels.window.waits()) return kTexel;
+  if (texels.window.waits()) return StoreCause::kTexel;
   if (tiles.pop()) {
-    const unsigned done = cause_of(tiles.window.work().kind);
-    if (done != kOther) return done;
+    const StoreCause done = cause_of(tiles.window.work().kind);
+    if (done != StoreCause::kOther) return done;
   }
   if (tiles.pop() || tiles.window.valid()) {
-    return tiles.writes(texels.sum_valid()) && !does.tile_ready ? kWrite : kOther;
+    return tiles.writes(texels.sum_valid()) && !does.tile_ready ? StoreCause::kWrite : StoreCause::kOther;
   }
-  if (tiles.window.waits()) return kTexel;
-  return !offered && idle() ? kInput : kOther;
+  if (tiles.window.waits()) return StoreCause::kTexel;
+  return !offered && idle() ? StoreCause::kInput : StoreCause::kOther;
 }
 
 /// One cycle. @param offered  there is an offer_  @return is it taken?

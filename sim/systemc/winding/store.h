@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "model/unit/winding/triangle_trail.h"
-#include "sim/systemc/common/front_causes.h"
+#include "sim/systemc/common/queue_meter.h"
+#include "sim/systemc/common/store_causes.h"
+#include "sim/systemc/common/tile_meter.h"
 #include "sim/systemc/winding/texel_buffers.h"
 #include "sim/systemc/winding/texel_port.h"
 #include "sim/systemc/winding/tile_buffer.h"
@@ -20,9 +22,6 @@ namespace kagesen::tlm_model::winding {
 
 class Store : public sc_core::sc_module, public VisitTaker {
  public:
-  static constexpr std::size_t kCauses = 10;
-  using Causes = std::array<std::uint64_t, kCauses>;
-
   TileBuffer tiles;
   TexelBuffers texels;
   TexelPort texel_port;
@@ -48,14 +47,19 @@ class Store : public sc_core::sc_module, public VisitTaker {
   /// The settle pass. Returns its cycles.
   Cycle settle(const unit::winding::SettleTrail& trail);
   /// Tells cycles without a visit, before one whose cause is known, from the front's causes.
-  void tell(FrontCauses& front, Cycle until);
-  /// Of draw passes.
-  const Causes& causes() const { return causes_; }
+  void tell(FrontCauses& front, Cycle until) { causes_.tell(front, until); }
+  /// @param timeline  takes what the store does in draw passes; or null
+  void trace(Timeline* timeline);
+  /// Fills in causes, queues and tiles of draw passes.
+  void report(PassCycles& pass) const;
 
  private:
-  struct Run {
-    Cycle from, to;
-  };
+  /// By their instances in the Verilog.
+  static constexpr const char* kQueues[] = {"store.texel_window.lines", "store.texel_window.payloads",
+                                            "store.tile_buffer.tiles", "store.tile_window.lines",
+                                            "store.tile_window.payloads"};
+  static constexpr std::size_t kQueueCount = sizeof kQueues / sizeof *kQueues;
+
   struct Offer {
     Work work;
     WordAddress tile = 0;
@@ -68,10 +72,12 @@ class Store : public sc_core::sc_module, public VisitTaker {
   Cycle enter(Cycle offered);
   TexelPort::Wants wants() const;
   bool idle() const;
-  unsigned cause(const TexelPort::Does& does, bool offered) const;
+  StoreCause cause(const TexelPort::Does& does, bool offered) const;
   bool step(bool offered);
   void pass_over(Cycle until);
-  void count(unsigned cause, Cycle cycles);
+  void count(StoreCause cause, Cycle cycles);
+  std::array<std::size_t, kQueueCount> words() const;  ///< that stand in the queues
+  [[noreturn]] void stuck() const;
 
   unsigned map_bits_ = 10;
   std::uint32_t columns_ = 0, rows_ = 0;  // tiles of the map
@@ -83,9 +89,10 @@ class Store : public sc_core::sc_module, public VisitTaker {
   Stalls texel_writes_;
   Cycle now_ = 0;           // the next cycle
   bool unchanged_ = false;  // the last one changed nothing
-  unsigned cause_ = 0;      // of the last one
-  Causes causes_{};
-  std::vector<Run> waits_;  // cycles without a visit that are not told yet
+  StoreCause cause_ = StoreCause::kInput;  // of the last one
+  StoreCauses causes_;
+  std::array<QueueMeter, kQueueCount> meters_;
+  TileMeter tile_meter_;
 };
 
 }  // namespace kagesen::tlm_model::winding

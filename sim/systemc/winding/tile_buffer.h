@@ -32,6 +32,7 @@ class TileBuffer : public sc_core::sc_module {
   // Of this cycle, by registers alone:
   bool writes(bool sum_valid) const { return (dirty_ && back()) || sum_valid; }
   bool touches() const { return touching_; }
+  std::size_t pending() const { return pending_.words(); }  ///< tiles whose sums are due
   bool clean() const { return !dirty_ && !unkept_; }
   bool idle() const { return clean() && !window.valid() && !touching_ && pending_.empty(); }
 

@@ -13,6 +13,7 @@ struct Work {
   std::uint8_t texels = 0;   ///< of the word: those visited; behind the tiles: those that pass
   std::uint8_t passing = 0;  ///< which the receiver mask does not refuse
   std::uint8_t place = 0;    ///< of the word in its tile
+  WordAddress tile = 0;      ///< of a visit
   bool nearest = false;      ///< the tile's nearest depth changes
   bool last = false;         ///< settling: the word is its tile's last
 };
