@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <regex>
 #include <vector>
 
@@ -38,6 +39,22 @@ struct Module {
   std::string name, text;
 };
 
+/// Nets of a function's calls are named by file, line and a number that counts through the design:
+/// numbered through the module instead, its text hangs on itself alone.
+std::string with_own_call_numbers(const std::string& text) {
+  static const std::regex call(R"(\\\w+\$func\$\S+?:\d+\$\d+)");
+  std::map<std::string, std::size_t> numbers;
+  std::string out;
+  auto last = text.begin();
+  for (std::sregex_iterator found(text.begin(), text.end(), call), end; found != end; ++found) {
+    const std::size_t number = numbers.insert({found->str(), numbers.size()}).first->second;
+    out.append(last, (*found)[0].first);
+    out += "$call$" + std::to_string(number);
+    last = (*found)[0].second;
+  }
+  return out.append(last, text.end());
+}
+
 /// Modules of RTLIL that are no black boxes. Names that Yosys gave become private again, or it
 /// would keep their nets.
 std::vector<Module> modules_of(const std::string& rtlil) {
@@ -50,7 +67,8 @@ std::vector<Module> modules_of(const std::string& rtlil) {
     std::smatch name;
     const bool blackbox = text.find("\nattribute \\blackbox 1\n") != std::string::npos;
     if (blackbox || !std::regex_search(text, name, header)) continue;
-    modules.push_back({name[1], std::regex_replace(text, given, "$$given$$$1")});
+    modules.push_back(
+        {name[1], with_own_call_numbers(std::regex_replace(text, given, "$$given$$$1"))});
   }
   return modules;
 }
