@@ -1,10 +1,8 @@
 #pragma once
 /// A memory's port in pass 1 with the words of it that are kept on chip.
-#include <functional>
-#include <queue>
-#include <utility>
-#include <vector>
+#include <algorithm>
 
+#include "sim/systemc/common/due_queue.h"
 #include "sim/systemc/common/line_cache.h"
 #include "sim/systemc/common/memory_port.h"
 
@@ -23,7 +21,7 @@ class CachedMemory : public sc_core::sc_module {
     port.begin_pass(word_bytes);
     writes_ = writes;
     accepted_ = kNever;
-    due_ = {};
+    due_.clear();
   }
   /// Words from 0 on are written in turn, the first in cycle `from`. Returns the first cycle in which
   /// the memory has them all. @pre nothing is on chip
@@ -38,14 +36,12 @@ class CachedMemory : public sc_core::sc_module {
     if (cache.reads() && accepted_ == kNever) {
       const MemoryPort::Read read = port.read(now, cache.read_address());
       accepted_ = read.accepted;
-      due_.push({read.responded, cache.read_line()});
+      due_.push(read.responded, cache.read_line());
     }
     in.read_ready = accepted_ == now;
     in.write_ready = !writes_.at(now);
-    if (!due_.empty() && due_.top().first == now) {
-      in.response = true;
-      in.response_line = due_.top().second;
-    }
+    in.response = due_.next() == now;
+    if (in.response) in.response_line = due_.front();
     return in;
   }
   void step(const LineCache::Inputs& in) {
@@ -55,17 +51,16 @@ class CachedMemory : public sc_core::sc_module {
   }
   /// The first cycle from `from` on in which the memory does something, if nothing else happens.
   Cycle next(Cycle from) const {
-    Cycle at = due_.empty() ? kNever : due_.top().first;
+    Cycle at = due_.next();
     if (accepted_ != kNever) at = std::min(at, accepted_);
     if (cache.writes()) at = std::min(at, writes_.next(from));
     return at;
   }
 
  private:
-  using Due = std::pair<Cycle, unsigned>;  // a response, and its line
   Stalls writes_;
   Cycle accepted_ = kNever;  // the request that is offered
-  std::priority_queue<Due, std::vector<Due>, std::greater<>> due_;
+  DueQueue<unsigned> due_;  // lines
 };
 
 }  // namespace kagesen::tlm_model

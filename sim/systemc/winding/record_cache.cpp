@@ -23,7 +23,7 @@ void RecordCache::begin_pass(unsigned word_bytes, const Stalls& writes) {
   port.begin_pass(word_bytes);
   writes_ = writes;
   accepted_ = kNever;
-  due_ = {};
+  due_.clear();
 }
 
 unsigned RecordCache::line_of(WordAddress address) const {
@@ -39,7 +39,7 @@ void RecordCache::settle() {
 }
 
 Cycle RecordCache::next(Cycle from) const {
-  Cycle at = due_.empty() ? kNever : due_.top().first;
+  Cycle at = due_.next();
   if (accepted_ != kNever) at = std::min(at, accepted_);
   if (write_valid_) at = std::min(at, writes_.next(from));
   return at;
@@ -52,10 +52,10 @@ bool RecordCache::step(Cycle now, const Inputs& in) {
   if (reads() && accepted_ == kNever) {
     const MemoryPort::Read read = port.read(now, read_address_);
     accepted_ = read.accepted;
-    due_.push({read.responded, read_line_});
+    due_.push(read.responded, read_line_);
   }
   const bool read_ready = accepted_ == now;
-  const bool response = !due_.empty() && due_.top().first == now;
+  const bool response = due_.next() == now;
   const bool write_taken = write_valid_ && !writes_.at(now);
 
   // ---- Fill and update ----
@@ -72,10 +72,10 @@ bool RecordCache::step(Cycle now, const Inputs& in) {
   if (in.lookup || (lookup_ && (!hit_ || in.update))) {
     const WordAddress address = in.lookup ? in.lookup_address : looked_up_;
     const unsigned line = in.lookup ? line_of(address) : lookup_line_;
-    const bool kept = response && lines_[due_.top().second].valid;
+    const bool kept = response && lines_[due_.front()].valid;
     const bool forward = in.update && in.update_address == address;
     const bool raced = (in.update && update_line == line) ||
-                       (kept && due_.top().second == line) || (key_write && key_line == line);
+                       (kept && due_.front() == line) || (key_write && key_line == line);
     changed |= forward != forward_ || raced != raced_ || key_ != lines_[line].address;
     forward_ = forward;
     raced_ = raced;
@@ -87,7 +87,7 @@ bool RecordCache::step(Cycle now, const Inputs& in) {
   const unsigned fill_line = line_of(fill_address);
   lookup_ = in.lookup || (lookup_ && !in.lookup_end);
   if (response) {
-    lines_[due_.top().second].busy = false;
+    lines_[due_.front()].busy = false;
     --busy_count_;
     due_.pop();
   }

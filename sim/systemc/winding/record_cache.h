@@ -1,12 +1,10 @@
 #pragma once
 /// Records of the SLB kept on chip in pass 1, with the memory's port: which are there, cycle by cycle.
 /// Twin: `records` in rtl/winding/store.sv, a line_cache of one way that nobody gives hints.
-#include <functional>
-#include <queue>
 #include <systemc>
-#include <utility>
 #include <vector>
 
+#include "sim/systemc/common/due_queue.h"
 #include "sim/systemc/common/memory_port.h"
 #include "sim/systemc/winding/work.h"
 
@@ -51,8 +49,6 @@ class RecordCache : public sc_core::sc_module {
     bool valid = false, busy = false;
     WordAddress address = 0;
   };
-  using Due = std::pair<Cycle, unsigned>;  // a response, and its line
-
   unsigned line_of(WordAddress address) const;
   bool reads() const { return read_valid_ && !(write_valid_ && write_address_ == read_address_); }
   void settle();
@@ -70,7 +66,7 @@ class RecordCache : public sc_core::sc_module {
 
   Stalls writes_;
   Cycle accepted_ = kNever;  // the request that is offered
-  std::priority_queue<Due, std::vector<Due>, std::greater<>> due_;
+  DueQueue<unsigned> due_;  // lines
 };
 
 }  // namespace kagesen::tlm_model::winding

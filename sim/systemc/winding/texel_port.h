@@ -4,12 +4,10 @@
 ///
 /// Reads: texel words go first. Writes: a tile, else an empty word of a tile that gets texels, else a
 /// texel word. What is offered stays until it is taken.
-#include <functional>
-#include <queue>
+#include <algorithm>
 #include <systemc>
-#include <utility>
-#include <vector>
 
+#include "sim/systemc/common/due_queue.h"
 #include "sim/systemc/common/memory_port.h"
 #include "sim/systemc/winding/work.h"
 
@@ -41,7 +39,7 @@ class TexelPort : public sc_core::sc_module {
     port.begin_pass(word_bytes);
     writes_ = writes;
     accepted_ = kNever;
-    due_ = {};
+    due_.clear();
     tile_read_offered_ = touch_offered_ = word_offered_ = false;
   }
   /// Of this cycle. The same, however often it is asked.
@@ -53,7 +51,7 @@ class TexelPort : public sc_core::sc_module {
         const MemoryPort::Read read =
             port.read(now, tile ? tiles_from_ | wants.tile_address : wants.word_address);
         accepted_ = read.accepted;
-        due_.push({read.responded, {tile, tile ? wants.tile_line : wants.word_line}});
+        due_.push(read.responded, {tile, tile ? wants.tile_line : wants.word_line});
       }
       (tile ? does.tile_fetched : does.word_fetched) = accepted_ == now;
     }
@@ -64,10 +62,10 @@ class TexelPort : public sc_core::sc_module {
     does.word_ready = ready && word;
     does.touch_ready = ready && !word && touch;
     does.tile_ready = ready && !word && !touch;
-    if (!due_.empty() && due_.top().first == now) {
-      does.response = true;
-      does.of_tile = due_.top().second.first;
-      does.line = due_.top().second.second;
+    does.response = due_.next() == now;
+    if (does.response) {
+      does.of_tile = due_.front().of_tile;
+      does.line = due_.front().line;
     }
     return does;
   }
@@ -87,19 +85,22 @@ class TexelPort : public sc_core::sc_module {
   }
   /// The first cycle from `from` on in which the memory does something, if nothing else happens.
   Cycle next(Cycle from) const {
-    Cycle at = due_.empty() ? kNever : due_.top().first;
+    Cycle at = due_.next();
     if (accepted_ != kNever) at = std::min(at, accepted_);
     if (writing_) at = std::min(at, writes_.next(from));
     return at;
   }
 
  private:
-  using Due = std::pair<Cycle, std::pair<bool, unsigned>>;  // a response; of a tile; its line
+  struct Response {
+    bool of_tile;
+    unsigned line;
+  };
 
   std::uint64_t tiles_from_ = 0;  // address
   Stalls writes_;
   Cycle accepted_ = kNever;  // the request that is offered
-  std::priority_queue<Due, std::vector<Due>, std::greater<>> due_;
+  DueQueue<Response> due_;
   bool tile_read_offered_ = false, touch_offered_ = false, word_offered_ = false;
   bool writing_ = false;
 };
