@@ -52,6 +52,7 @@ std::vector<std::uint64_t> fragment_tiles(const Trace& trace, const RunResult& r
   std::vector<std::uint64_t> tiles(std::size_t(columns) * ((map.height + kTile - 1) / kTile));
   const std::vector<std::uint32_t> costs = fragment_costs(result.fragment_cycles);
   for (std::size_t i = 0; i < costs.size(); ++i) {
+    if ((trace.all_fragments[i].flags & Fragment::kOutside) != 0) continue;
     const auto texel = [&](std::int32_t place, std::uint32_t side) {
       return std::int64_t{place >> trace.header.fraction_bits} + side / 2;
     };

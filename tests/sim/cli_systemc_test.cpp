@@ -21,11 +21,10 @@ class CliSystemc : public ProgramTest {
 };
 
 TEST_F(CliSystemc, VerdictsAreGoldensAndCyclesAddUp) {
-  const std::vector<std::string> arguments{"run", "glyphs", "--no-reference", "--no-images"};
-  const Json golden = json_of(arguments);
-  std::vector<std::string> with_engine = arguments;
-  with_engine.insert(with_engine.end(), {"--engine", "systemc"});
-  const Json model = json_of(with_engine);
+  const auto report_of = [&](const char* engine) {
+    return json_of({"run", "glyphs", "--no-reference", "--no-images", "--engine", engine});
+  };
+  const Json golden = report_of("golden"), model = report_of("systemc");
   for (const char* part : {"verdict", "slb", "map", "counters"}) {
     EXPECT_EQ(model.at(part), golden.at(part)) << part;
   }
@@ -114,7 +113,8 @@ TEST_F(CliSystemc, QueuesAndReadsAddUp) {
 TEST_F(CliSystemc, CachesTakeReadsFromTheMemory) {
   const auto pass2 = [&](const char* setting, const char* other) {
     return json_of({"run", "glyphs", "--no-reference", "--no-images", "--set", "memory_latency=100",
-                    "--set", "memory_interval=2", "--set", "fragment_slots=16", "--set", setting, "--set", other})
+                    "--set", "memory_interval=2", "--set", "fragment_slots=16", "--set",
+                    "texel_cache_line_words=1", "--set", setting, "--set", other})
         .at("cycles").at("pass2");
   };
   const Json none = pass2("texel_cache_lines=0", "slb_cache_lines=0");
