@@ -55,7 +55,7 @@ bool proven_equivalent(const Recording& recording, const Qualifiers& qualifiers,
                                 10 * limit_s + 60);
   if (made.status != 0) return false;
   const std::string commands = fmt::format(
-      "read_aiger miter.aig; fold; orpos; strash; scorr; print_stats; pdr -T {:.0f}", limit_s);
+      "read_aiger miter.aig; fold; orpos; strash; lcorr; scorr; pdr -T {:.0f}", limit_s);
   run_process({find_tool("berkeley-abc", "berkeley-abc"), "-c", commands}, folder, log,
               10 * limit_s + 60);  // of the clock on the wall: the search counts its own time
   return read_file(log).find("Property proved") != std::string::npos;
