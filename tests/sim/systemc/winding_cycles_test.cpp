@@ -115,7 +115,10 @@ int compare_more(int count, std::uint32_t seed) {
     const double scale = dice.one_of({1., 4., 16.});
     const Trace trace = small_trace(scene, 64, scale > 4 ? 16 : 40, scale);
     UnitConfig config = config_of(trace);
-    config.fragment_slots = dice.one_of({8, 16, 64});
+    config.fragment_slots = dice.one_of({1, 8, 16, 64});
+    config.visit_fifo_depth = dice.one_of({1, 2, 8, 32});
+    config.texel_lines = dice.one_of({8, 64});
+    config.record_lines = dice.one_of({8, 128});
     config.segments_per_record = dice.one_of({1, 2, 3, 6});
     config.lanes = dice.one_of({1, 2, 3, 4});
     for (int of_model = 0; of_model < 20; ++of_model) {
@@ -131,9 +134,11 @@ int compare_more(int count, std::uint32_t seed) {
       config.map_height = made.trace.header.map_height;
       expect_equal_cycles(made.trace, dice.policy(config), dice.timing());
     }
-    std::printf("%d: %s at scale %g, %d slots, %d segments a record, %d lanes: %s\n", round, scene,
-                scale, int(config.fragment_slots), int(config.segments_per_record),
-                int(config.lanes), testing::Test::HasFailure() ? "differs" : "equal");
+    std::printf("%d: %s at scale %g, %d slots, %d segments a record, %d lanes, queues of %d visits, "
+                "%d words and %d records on chip: %s\n",
+                round, scene, scale, int(config.fragment_slots), int(config.segments_per_record),
+                int(config.lanes), int(config.visit_fifo_depth), int(config.texel_lines),
+                int(config.record_lines), testing::Test::HasFailure() ? "differs" : "equal");
     std::fflush(stdout);
   }
   return testing::Test::HasFailure();

@@ -22,7 +22,7 @@ CycleReport model(const Trace& trace, const UnitConfig& config, const Timing& ti
 }
 
 void expect_equal(const Trace& trace, const UnitConfig& config, const Timing& timing) {
-  RtlEngine rtl({BuildKind::kFast, timing, false});
+  RtlEngine rtl({BuildKind::kFast, timing, false, nullptr, {}});
   rtl.begin(config, make_frame_setup(trace, config));
   rtl.draw(trace.all_casters.data(), trace.all_casters.size());
   const CycleReport theirs = *rtl.cycles(), ours = model(trace, config, timing);
