@@ -110,19 +110,35 @@ std::string drawn_text(const Summary& s) {
   return text.empty() ? "nothing" : text;
 }
 
+/// Several to a line of the table, as many as there is room for.
+void add_list(Rows& rows, std::string label, const std::vector<std::string>& items) {
+  constexpr std::size_t kWidth = 78;
+  std::string line;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const std::string item = items[i] + (i + 1 < items.size() ? "," : "");
+    if (!line.empty() && line.size() + 1 + item.size() > kWidth) {
+      rows.add(label, line);
+      label.clear();
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + item;
+  }
+  if (!line.empty()) rows.add(label, line);
+}
+
 /// "1.05 a texel: edge 40.0 %, record 3.1 %, ..."; causes in the order of their weight.
-std::string pass_text(const PassCycles& pass, const char* item) {
+void pass_rows(Rows& rows, const char* label, const PassCycles& pass, const char* item) {
   std::vector<std::pair<std::string, std::uint64_t>> causes = pass.causes;
   std::stable_sort(causes.begin(), causes.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
-  std::string text = fmt::format("{}, {:.3f} a {}", grouped(pass.total), pass.per_item(), item);
-  const char* before = ": ";
+  const std::string total = fmt::format("{}, {:.3f} a {}", grouped(pass.total), pass.per_item(), item);
+  std::vector<std::string> items;
   for (const auto& [name, cycles] : causes) {
     if (cycles * 1000 < pass.total || cycles == 0) break;
-    text += fmt::format("{}{} {}", before, name, percent(cycles, pass.total));
-    before = ", ";
+    items.push_back((items.empty() ? total + ": " : "") + name + " " + percent(cycles, pass.total));
   }
-  return text;
+  if (items.empty()) items.push_back(total);
+  add_list(rows, label, items);
 }
 
 void fragment_rows(Rows& rows, const Trace& trace, const RunResult& result) {
@@ -146,11 +162,11 @@ void traffic_row(Rows& rows, const char* label, const PassCycles& pass, const ch
 
 /// How full queues were, and how often words were there.
 void queue_rows(Rows& rows, const char* label, const PassCycles& pass) {
-  std::string text;
+  std::vector<std::string> items;
   for (const QueueCycles& q : pass.queues) {
-    text += fmt::format("{}{} {:.1f} (most {})", text.empty() ? "" : ", ", q.name, q.mean(), q.most());
+    items.push_back(fmt::format("{} {:.1f} (most {})", q.name, q.mean(), q.most()));
   }
-  if (!text.empty()) rows.add(label, text);
+  add_list(rows, label, items);
   for (const CacheCounts& c : pass.caches) {
     rows.add("", fmt::format("{}: {:.1f} % of {} there", c.name, 100 * c.hit_rate(),
                              counted(c.lookups, "look-up")));
@@ -163,7 +179,7 @@ void cycle_rows(Rows& rows, const Trace& trace, const RunResult& result) {
   if (cycles.clear) rows.add("clear", grouped(*cycles.clear));
   if (cycles.announce.value_or(0) > 0) rows.add("announce", grouped(*cycles.announce));
   if (cycles.pass1) {
-    rows.add("pass 1", pass_text(*cycles.pass1, "texel"));
+    pass_rows(rows, "pass 1", *cycles.pass1, "texel");
     rows.add("", fmt::format("{:.3f} an edge texel, {:.3f} a span texel", cycles.per_edge_texel(),
                              cycles.per_span_texel()));
     traffic_row(rows, "", *cycles.pass1, "texel");
@@ -175,7 +191,7 @@ void cycle_rows(Rows& rows, const Trace& trace, const RunResult& result) {
                                             *frames, result.clock->mhz, result.clock->source));
   }
   if (!cycles.pass2) return;
-  rows.add("pass 2", pass_text(*cycles.pass2, "fragment"));
+  pass_rows(rows, "pass 2", *cycles.pass2, "fragment");
   if (!result.fragment_cycles.empty()) fragment_rows(rows, trace, result);
   traffic_row(rows, "memory reads", *cycles.pass2, "fragment");
   queue_rows(rows, "queues of pass 2", *cycles.pass2);
