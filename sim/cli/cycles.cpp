@@ -1,4 +1,4 @@
-/// kagesen cycles: clock cycles of the RTL over the built-in scenes, into docs/cycles.md.
+/// kagesen cycles: clock cycles of the unit over the built-in scenes, into docs/cycles.md.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,6 +26,7 @@ namespace fs = std::filesystem;
 
 struct CyclesArguments {
   std::string page = "docs/cycles.md";
+  std::string engine = "systemc";
   std::vector<std::string> scenes, profiles{"paper", "winding"};
   std::vector<std::uint64_t> scales{1, 4, 16};
   bool fresh = false;
@@ -41,6 +42,7 @@ void check(CyclesArguments& arguments) {
   std::vector<std::string> names;
   for (const SceneInfo& info : builtin_scenes()) names.push_back(info.name);
   if (arguments.scenes.empty()) arguments.scenes = names;
+  check_choice("--engine", arguments.engine, {"systemc", "rtl"});
   for (const std::string& scene : arguments.scenes) check_choice("--scenes", scene, names);
   for (const std::string& p : arguments.profiles) check_choice("--profiles", p, {"paper", "winding"});
 }
@@ -65,6 +67,7 @@ class CyclesRun {
           row.scene = scene;
           row.scale = scale;
           row.rtl = rtl;
+          row.engine = arguments.engine;
           wanted_.push_back(row);
         }
       }
@@ -103,7 +106,7 @@ class CyclesRun {
     Trace trace;
     capture(make_builtin(row.scene), capturing, trace);
     SimulateOptions options;
-    options.engine = "rtl";
+    options.engine = row.engine;
     options.reference = false;
     options.progress = [&](const std::string& stage, double part) {
       progress_.update(what + " " + stage, part);
@@ -142,9 +145,12 @@ class CyclesRun {
 void add_cycles(CLI::App& app) {
   auto arguments = std::make_shared<CyclesArguments>();
   CLI::App& command = *app.add_subcommand(
-      "cycles", "Measures the RTL's clock cycles over the built-in scenes, into docs/cycles.md");
+      "cycles", "Measures the unit's clock cycles over the built-in scenes, into docs/cycles.md");
   command.add_option("--out", arguments->page, "The page; its figures stand beside it as .json")
       ->type_name("FILE.md")
+      ->capture_default_str();
+  command.add_option("--engine", arguments->engine, "systemc, or rtl: the same figures, much later")
+      ->type_name("NAME")
       ->capture_default_str();
   command.add_option("--scenes", arguments->scenes, "Built-in scenes; all where not given")
       ->type_name("NAME,...")
@@ -162,7 +168,7 @@ void add_cycles(CLI::App& app) {
   command.footer(
       "It may be interrupted: frames that the file has, of the same Verilog, are kept.\n"
       "Examples:\n"
-      "  kagesen cycles                                 all of docs/cycles.md, an hour\n"
+      "  kagesen cycles                                 all of docs/cycles.md, minutes\n"
       "  kagesen cycles --scenes solids --out /tmp/c.md  a look");
   command.callback([arguments] {
     check(*arguments);

@@ -61,13 +61,18 @@ void add_profile(const std::string& profile, const std::vector<CyclesRow>& rows,
 }  // namespace
 
 std::string cycles_page(const std::vector<CyclesRow>& rows) {
-  std::string page =
-      "# Clock cycles\n\n"
-      "Written by `kagesen cycles` from runs of the Verilated RTL: built-in scenes at 1920 x 1080, a "
-      "1024 x 1024 map, one\nlane, memories that answer after 20 cycles and take a request every "
-      "cycle. [rtl.md](rtl.md) says what each cause of a lost\ncycle is; shares below half a per cent "
-      "are left out. An edge texel's clocks are all of pass 1 but those that carried out\nspans. The "
-      "paper states about 4 clocks a pixel for a first-level SLB.\n";
+  const bool verilog = !rows.empty() && rows.front().engine == "rtl";
+  std::string page = fmt::format(
+      "# Clock cycles\n\nWritten by `kagesen cycles{}` from runs of {}.\n\n",
+      verilog ? " --engine rtl" : "",
+      verilog ? "the Verilated RTL"
+              : "the SystemC model, whose cycles `kagesen check` holds\nequal to the Verilog's");
+  page +=
+      "Built-in scenes at 1920 x 1080, a 1024 x 1024 map, one lane, memories that answer after 20 "
+      "cycles and take a\nrequest every cycle. [rtl.md](rtl.md) says what each cause of a lost cycle "
+      "is; shares below half a per cent are left\nout. An edge texel's clocks are all of pass 1 but "
+      "those that carried out spans. The paper states about 4 clocks a\npixel for a first-level "
+      "SLB.\n";
   for (const char* profile : {"paper", "winding"}) add_profile(profile, rows, page);
   std::uint64_t cycles = 0;
   double seconds = 0;

@@ -31,6 +31,7 @@ CyclesRow row_of(const json& value) {
   value.at("scene").get_to(row.scene);
   value.at("scale").get_to(row.scale);
   value.at("rtl").get_to(row.rtl);
+  row.engine = value.value("engine", "rtl");
   value.at("fragments").get_to(row.fragments);
   value.at("seconds").get_to(row.seconds);
   CycleReport& c = row.cycles;
@@ -54,6 +55,7 @@ json cycles_json(const std::vector<CyclesRow>& rows) {
                    {"scene", r.scene},
                    {"scale", r.scale},
                    {"rtl", r.rtl},
+                   {"engine", r.engine},
                    {"fragments", r.fragments},
                    {"seconds", r.seconds},
                    {"clear", *c.clear},
