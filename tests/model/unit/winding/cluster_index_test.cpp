@@ -56,8 +56,8 @@ class RandomList {
       slb[at].corner = 0;
       return;
     }
-    bool cancelled;
-    for (const Segment& s : region.segments) slb.add(slb[at], s, cancelled);
+    TexelVisit::Meeting meeting;
+    for (const Segment& s : region.segments) slb.add(slb[at], s, meeting);
   }
   std::int64_t random_in(std::int64_t low, std::int64_t high) {
     return low + std::int64_t(random_() % std::uint64_t(high - low + 1));
