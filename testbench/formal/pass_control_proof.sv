@@ -6,7 +6,7 @@
 // broken: pass_control.sv: `Run:   if (abort_i) state_d = Close; else if (finished) state_d = Idle;` => `Run:   if (finished) state_d = Idle; else if (abort_i) state_d = Close;`
 // broken: pass_control.sv: `Clear: if (!outstanding_i) state_d = Idle;` => `Clear: state_d = Idle;`
 // broken: pass_control.sv: `finished = !waits_o && front_idle_i && store_idle_i;` => `finished = !waits_o && store_idle_i;`
-// broken: pass_control.sv: `left_q   <= left_q - 32'(items_i);` => `left_q   <= left_q - 32'(items_i != 3'd0);`
+// broken: pass_control.sv: `left_q   <= left_q - 32'(items_q);` => `left_q   <= left_q - 32'(items_q != 3'd0);`
 // broken: pass_control.sv: `Close: if (closed_i) state_d = Clear;` => `Close: state_d = Clear;`
 // broken: pass_control.sv: `(state_q == Run || state_q == Close) && waits_o` => `state_q != Idle && waits_o`
 module pass_control_proof (

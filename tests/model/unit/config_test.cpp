@@ -30,7 +30,7 @@ TEST(Config, TheWindingProfileTakesUpToTwelveFractionBits) {
 }
 
 TEST(Config, EveryKeyGoesThereAndBackAndTouchesNoOther) {
-  ASSERT_EQ(config_fields().size(), 48u);
+  ASSERT_EQ(config_fields().size(), 55u);
   for (const ConfigField& field : config_fields()) {
     EXPECT_FALSE(field.help.empty()) << field.key;
     std::vector<std::string> values = field.choices;
