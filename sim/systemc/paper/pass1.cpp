@@ -1,5 +1,7 @@
 #include "sim/systemc/paper/pass1.h"
 
+#include "sim/systemc/common/offers.h"
+
 namespace kagesen::tlm_model::paper {
 namespace {
 
@@ -52,17 +54,14 @@ void Pass1::draw(unit::ShadowUnit& golden, const Caster* casters, std::size_t co
   store_.texels.cache.forget_lookups();
   store_.records.cache.forget_lookups();
   front_.begin_pass(config_, texel_bits_, store_);
-  const Stalls offers(timing_.stream_stall, Chance(timing_.seed, number, Channel::kTriangles, 0));
+  Offers offers(timing_, number, Channel::kTriangles);
   unit::TriangleTrail trail;
-  Cycle free = kNever;  // what is not held back before the first cycle is there in it
   taken_.clear();
   for (std::size_t i = 0; i < count; ++i) {
     golden.draw(casters[i], trail);
     store_.begin(trail);
     store_.tell(front_.causes(), front_.told());
-    const Cycle offered = offers.next(free);
-    taken_.push_back(front_.draw(trail, offered == kNever ? 0 : offered));
-    free = taken_.back() + 1;
+    taken_.push_back(offers.take(front_.draw(trail, offers.next())));
   }
   total_ += store_.finish(front_.idle());
   front_.causes().none(front_.idle(), kNever);

@@ -30,9 +30,7 @@ void Store::reset(const UnitConfig& config) {
   spans_.reset(static_cast<unsigned>(config.texel_lines),
                static_cast<RecordAddress>(config.slb_buckets) - 1);
   edges_.assign(static_cast<std::size_t>(config.map_height) << pitch_log2_, 0);
-  causes_.clear();
-  for (QueueMeter& m : meters_) m.clear();
-  tile_meter_.reset(config);
+  meter_.reset(config);
 }
 
 void Store::begin_pass(unsigned texel_bytes, const Stalls& texel_writes, unsigned record_bytes,
@@ -41,8 +39,7 @@ void Store::begin_pass(unsigned texel_bytes, const Stalls& texel_writes, unsigne
   records.begin_pass(record_bytes, record_writes);
   now_ = 0;
   unchanged_ = false;
-  causes_.begin_pass();
-  for (QueueMeter& m : meters_) m.begin_pass();
+  meter_.begin_pass();
 }
 
 /// The first cycle clears what is on chip.
@@ -126,7 +123,7 @@ void Store::pass_over(Cycle until) {
   while (now_ < until) {
     if (unchanged_) {
       const Cycle next = std::min({until, texels.next(now_), records.next(now_)});
-      if (next == kNever) stuck();
+      if (next == kNever) meter_.stuck(name(), now_, cause_, words());
       count(cause_, next - now_);
       now_ = next;
       unchanged_ = false;
@@ -268,6 +265,15 @@ bool Store::step(const Operation* offered, bool begins) {
   unchanged_ = !changed && texels.cache.unchanged() && records.cache.unchanged();
   ++now_;
   return taken;
+}
+
+void Store::count(StoreCause cause, Cycle cycles) {
+  meter_.count(cause, now_, cycles, words());
+  if (!walk_.busy()) return;
+  constexpr std::uint32_t kTile = PassCycles::kTile;
+  const Operation& o = walk_.operation();
+  meter_.tiles.add(static_cast<std::uint32_t>(o.x) / kTile, static_cast<std::uint32_t>(o.y) / kTile,
+                   cycles);
 }
 
 }  // namespace kagesen::tlm_model::paper

@@ -4,15 +4,12 @@
 ///
 /// It is stepped cycle by cycle, for what is on chip hangs on what meets in a cycle (line_cache.h);
 /// cycles in which it only waits are passed over.
-#include <array>
 #include <systemc>
 #include <vector>
 
 #include "sim/systemc/common/cached_memory.h"
 #include "sim/systemc/common/fifo.h"
-#include "sim/systemc/common/queue_meter.h"
-#include "sim/systemc/common/store_causes.h"
-#include "sim/systemc/common/tile_meter.h"
+#include "sim/systemc/common/store_meter.h"
 #include "sim/systemc/paper/record_links.h"
 #include "sim/systemc/paper/record_walk.h"
 #include "sim/systemc/paper/span_hints.h"
@@ -39,30 +36,25 @@ class Store : public sc_core::sc_module, public VisitTaker {
   /// All visits were taken; the front is idle from a cycle on. Returns the pass's cycles.
   Cycle finish(Cycle front_idle);
   /// Tells cycles without a visit, before one whose cause is known, from the front's causes.
-  void tell(FrontCauses& front, Cycle until) { causes_.tell(front, until); }
+  void tell(FrontCauses& front, Cycle until) { meter_.causes.tell(front, until); }
   /// @param timeline  takes what the store does; or null
-  void trace(Timeline* timeline);
-  const CauseMeter& causes() const { return causes_.meter(); }
-  /// Fills in causes and queues.
-  void report(PassCycles& pass) const;
+  void trace(Timeline* timeline) { meter_.trace(timeline, texels.port, records.port); }
+  const CauseMeter& causes() const { return meter_.causes.meter(); }
+  /// Fills in causes, queues and tiles.
+  void report(PassCycles& pass) const { meter_.report(pass); }
   /// See RecordWalk.
   void locate(unit::FragmentTrail& trail) const { walk_.locate(trail); }
 
  private:
-  /// By their instances in the Verilog.
-  static constexpr const char* kQueues[] = {"store.coming", "store.emptied_list",
-                                            "store.emptied_soon", "store.places",
-                                            "store.records.records.follow"};
-  static constexpr std::size_t kQueueCount = sizeof kQueues / sizeof *kQueues;
-
   bool active() const;  // visits are inside
   bool idle() const;
   Operation operation_of(const Visit& visit);
   bool step(const Operation* offered, bool begins);
   void pass_over(Cycle until);
   void count(StoreCause cause, Cycle cycles);
-  std::array<std::size_t, kQueueCount> words() const;  ///< that stand in the queues
-  [[noreturn]] void stuck() const;
+  StoreMeter::Words words() const {
+    return {coming_.words(), emptied_.words(), soon_.words(), visits_.words(), links_.words()};
+  }
 
   UnitConfig config_;
   unsigned pitch_log2_ = 0;
@@ -78,9 +70,8 @@ class Store : public sc_core::sc_module, public VisitTaker {
   Cycle now_ = 0;           // the next cycle
   bool unchanged_ = false;  // the last one changed nothing
   StoreCause cause_ = StoreCause::kInput;  // of the last one
-  StoreCauses causes_;
-  std::array<QueueMeter, kQueueCount> meters_;
-  TileMeter tile_meter_;
+  StoreMeter meter_{{"store.coming", "store.emptied_list", "store.emptied_soon", "store.places",
+                     "store.records.records.follow"}};
 };
 
 }  // namespace kagesen::tlm_model::paper

@@ -1,31 +1,9 @@
 #include "sim/systemc/winding/pass1.h"
 
 #include "model/golden.h"
+#include "sim/systemc/common/offers.h"
 
 namespace kagesen::tlm_model::winding {
-namespace {
-
-/// When the items of a stream are offered: at the earliest in the cycle after the one before was
-/// taken; the first is there in a pass's first cycle, unless it is held back before that.
-class Offers {
- public:
-  Offers(const Timing& timing, PassNumber number, Channel channel)
-      : stalls_(timing.stream_stall, Chance(timing.seed, number, channel, 0)) {}
-  Cycle next() const {
-    const Cycle at = stalls_.next(free_);
-    return at == kNever ? 0 : at;
-  }
-  Cycle take(Cycle at) {
-    free_ = at + 1;
-    return at;
-  }
-
- private:
-  Stalls stalls_;
-  Cycle free_ = kNever;
-};
-
-}  // namespace
 
 Pass1::Pass1(const sc_core::sc_module_name& name)
     : sc_module(name),

@@ -24,9 +24,7 @@ void Store::reset(const UnitConfig& config, unsigned map_bits) {
   tiles.reset(config, map_bits);
   texels.reset(config, map_bits);
   texel_port.reset(map_bits);
-  causes_.clear();
-  for (QueueMeter& m : meters_) m.clear();
-  tile_meter_.reset(config);
+  meter_.reset(config);
 }
 
 void Store::begin_pass(bool draws, unsigned texel_bytes, const Stalls& texel_writes,
@@ -37,8 +35,7 @@ void Store::begin_pass(bool draws, unsigned texel_bytes, const Stalls& texel_wri
   now_ = 0;
   unchanged_ = settling_ = false;
   drawing_ = draws;
-  causes_.begin_pass();
-  for (QueueMeter& m : meters_) m.begin_pass();
+  meter_.begin_pass();
 }
 
 /// The first cycle clears what is on chip; then a tile is written each cycle.
@@ -139,7 +136,7 @@ void Store::pass_over(Cycle until) {
     if (unchanged_) {
       const Cycle next =
           std::min({until, texel_port.next(now_), texels.silhouettes.records.next(now_)});
-      if (next == kNever) stuck();
+      if (next == kNever) meter_.stuck(name(), now_, cause_, words());
       count(cause_, next - now_);
       now_ = next;
       unchanged_ = false;
@@ -250,6 +247,15 @@ bool Store::step(bool offered) {
   unchanged_ = !changed;
   ++now_;
   return taken;
+}
+
+void Store::count(StoreCause cause, Cycle cycles) {
+  if (!drawing_) return;
+  meter_.count(cause, now_, cycles, words());
+  const MemoryWindow& window = texels.window.holds_work() ? texels.window : tiles.window;
+  if (!window.holds_work() || window.work().kind == Work::kBegin) return;
+  const WordAddress tile = window.work().tile;
+  meter_.tiles.add(tile & ((1u << (map_bits_ - 3)) - 1), tile >> (map_bits_ - 3), cycles);
 }
 
 }  // namespace kagesen::tlm_model::winding

@@ -5,14 +5,11 @@
 ///
 /// It is stepped cycle by cycle, for what is on chip hangs on what meets in a cycle; cycles in which
 /// it only waits are passed over.
-#include <array>
 #include <systemc>
 #include <vector>
 
 #include "model/unit/winding/triangle_trail.h"
-#include "sim/systemc/common/queue_meter.h"
-#include "sim/systemc/common/store_causes.h"
-#include "sim/systemc/common/tile_meter.h"
+#include "sim/systemc/common/store_meter.h"
 #include "sim/systemc/winding/texel_buffers.h"
 #include "sim/systemc/winding/texel_port.h"
 #include "sim/systemc/winding/tile_buffer.h"
@@ -47,19 +44,13 @@ class Store : public sc_core::sc_module, public VisitTaker {
   /// The settle pass. Returns its cycles.
   Cycle settle(const unit::winding::SettleTrail& trail);
   /// Tells cycles without a visit, before one whose cause is known, from the front's causes.
-  void tell(FrontCauses& front, Cycle until) { causes_.tell(front, until); }
+  void tell(FrontCauses& front, Cycle until) { meter_.causes.tell(front, until); }
   /// @param timeline  takes what the store does in draw passes; or null
-  void trace(Timeline* timeline);
+  void trace(Timeline* timeline) { meter_.trace(timeline, texel_port.port, record_port()); }
   /// Fills in causes, queues and tiles of draw passes.
-  void report(PassCycles& pass) const;
+  void report(PassCycles& pass) const { meter_.report(pass); }
 
  private:
-  /// By their instances in the Verilog.
-  static constexpr const char* kQueues[] = {"store.texel_window.lines", "store.texel_window.payloads",
-                                            "store.tile_buffer.tiles", "store.tile_window.lines",
-                                            "store.tile_window.payloads"};
-  static constexpr std::size_t kQueueCount = sizeof kQueues / sizeof *kQueues;
-
   struct Offer {
     Work work;
     WordAddress tile = 0;
@@ -76,8 +67,10 @@ class Store : public sc_core::sc_module, public VisitTaker {
   bool step(bool offered);
   void pass_over(Cycle until);
   void count(StoreCause cause, Cycle cycles);
-  std::array<std::size_t, kQueueCount> words() const;  ///< that stand in the queues
-  [[noreturn]] void stuck() const;
+  StoreMeter::Words words() const {
+    return {texels.window.lines(), texels.window.payloads(), tiles.pending(), tiles.window.lines(),
+            tiles.window.payloads()};
+  }
 
   unsigned map_bits_ = 10;
   std::uint32_t columns_ = 0, rows_ = 0;  // tiles of the map
@@ -90,9 +83,9 @@ class Store : public sc_core::sc_module, public VisitTaker {
   Cycle now_ = 0;           // the next cycle
   bool unchanged_ = false;  // the last one changed nothing
   StoreCause cause_ = StoreCause::kInput;  // of the last one
-  StoreCauses causes_;
-  std::array<QueueMeter, kQueueCount> meters_;
-  TileMeter tile_meter_;
+  StoreMeter meter_{{"store.texel_window.lines", "store.texel_window.payloads",
+                     "store.tile_buffer.tiles", "store.tile_window.lines",
+                     "store.tile_window.payloads"}};
 };
 
 }  // namespace kagesen::tlm_model::winding
